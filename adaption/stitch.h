@@ -1,0 +1,38 @@
+// Stitching: one mesh again from rest triangles that grew each on its own, as rigidly as possible.
+//
+//   minimise over x, R_t   sum_t a_t |E_t(x) D_t^-1 - R_t D'_t D_t^-1|^2 + nearness
+//
+//   D_t   2x2 rest edges before, D'_t those asked for, m      R_t  3x2 with orthonormal columns
+//   E_t   3x2 edges of the stitched mesh, m
+//
+// alternating between R_t (closed-form polar) and x (the gradient system, factored once) after Sorkine and Alexa 2007.
+// The new flat edges are R_tᵀ E_t: they carry the grain.
+#pragma once
+
+#include <vector>
+
+#include "solver/linear/gradient_system.h"
+#include "solver/model/cloth.h"
+
+namespace ease {
+
+class Stitcher {
+ public:
+  /// Factors for the cloth's first rest shape; its cotangents serve for all later ones.
+  explicit Stitcher(const Cloth& cloth);
+
+  /// Gives the cloth the rest shape nearest to its triangles grown by `growth` (2x2 each).
+  void stitch(Cloth& cloth, const std::vector<Mat2>& growth);
+
+ private:
+  GradientSystem system_;
+  std::vector<Mat2> reference_inverse_;   // D^-1 of the first rest shape, by which gradients are taken
+  std::vector<Mat2> wanted_, rest_edges_;
+  std::vector<Mat32> targets_;
+  Positions anchors_, x_;
+};
+
+/// 3x2 matrix with orthonormal columns that is nearest to A (polar factor), in closed form.
+Mat32 nearestRotation(const Mat32& A);
+
+}  // namespace ease

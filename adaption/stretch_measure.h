@@ -1,0 +1,35 @@
+// Stretch of the cloth, per triangle.
+//
+//   F = U diag(sigma_1, sigma_2) Vᵀ, 3x2: sigma_1 >= sigma_2 principal stretches, dimensionless; 1 is unstretched
+#pragma once
+
+#include <vector>
+
+#include "solver/model/cloth.h"
+
+namespace ease {
+
+struct Stretch {
+  double sigma_1, sigma_2;       // principal
+  double warp, weft;             // |f_u|, |f_v|
+  Eigen::Vector2d direction;     // unit, of sigma_1 in the material's plane: first column of V
+};
+
+/// Principal stretches of one deformation gradient (3x2 or 2x2), in closed form.
+Stretch principalStretch(const Mat2& metric);  // metric FᵀF
+
+void measureStretch(const Cloth& cloth, const Positions& x, std::vector<Stretch>& stretch);
+
+/// What people ask of a set of stretches.
+struct StretchStatistics {
+  double max = 0.0, p99 = 0.0;
+  double share_over_limit = 0.0;  // of the triangles, 0 to 1
+};
+
+/// Statistics of a value per triangle against 1 + limit.
+StretchStatistics stretchStatistics(std::vector<double> values, double limit);
+
+/// sigma_1 of every triangle.
+std::vector<double> firstStretches(const std::vector<Stretch>& stretch);
+
+}  // namespace ease

@@ -1,0 +1,200 @@
+#include "apps/job.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <optional>
+
+#include "apps/frames.h"
+#include "apps/progress.h"
+#include "apps/report.h"
+#include "apps/run.h"
+#include "solver/mesh/error.h"
+#include "solver/mesh/mesh_io.h"
+#include "viz/picture.h"
+
+namespace ease {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// How much longer each triangle's cloth became from one rest shape to another: sigma_1 of the map between them.
+void measureGrowth(const std::vector<Mat2>& first_inverse, double first_area, const Cloth& cloth, Report& report) {
+  std::vector<double> growth(cloth.triangleCount());
+  double area = 0.0;
+  for (int t = 0; t < cloth.triangleCount(); ++t) {
+    const Mat2 map = cloth.restEdges()[t] * first_inverse[t];
+    growth[t] = principalStretch(map.transpose() * map).sigma_1;
+    area += cloth.restAreas()[t];
+  }
+  const StretchStatistics statistics = stretchStatistics(growth, 0.0);
+  report.growth_max = statistics.max;
+  report.growth_p99 = statistics.p99;
+  report.growth_area_ratio = area / first_area;
+}
+
+/// How a replay ended.
+struct LastPose {
+  TriangleMesh garment;
+  std::vector<float> sigma_1;
+};
+
+class Job {
+ public:
+  Job(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
+      const std::atomic<bool>& interrupted)
+      : scene_(scene), input_(input), directory_(directory), interrupted_(interrupted) {}
+
+  bool operator()() {
+    const Clock::time_point start = Clock::now();
+    setUp();
+    report_.setup_s = secondsSince(start);
+    try {
+      adaptingRun();
+      if (!interrupted_ && scene_.adaption && scene_.adaption->verify) replays();
+    } catch (const ComputationError& error) {
+      report_.failure = error.what();
+      finishReport(start);
+      throw;
+    }
+    if (report_.verified) drawPicture();
+    finishReport(start);
+    fmt::print("{}", summaryText(report_));
+    return !interrupted_;
+  }
+
+ private:
+  void setUp() {
+    cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
+    first_positions_ = cloth_->restPositions();
+    first_edges_ = cloth_->restEdges();
+    first_inverse_ = cloth_->restInverse();
+    first_areas_ = cloth_->restAreas();
+    if (scene_.body)
+      body_.emplace(input_.body_triangles, input_.poses, scene_.body->steps,
+                    LevelSetOptions{scene_.collision.voxel, std::max(0.03, 3.0 * scene_.collision.offset)});
+    report_.vertices = cloth_->vertexCount();
+    report_.triangles = cloth_->triangleCount();
+    report_.time_step_s = scene_.solver.time_step;
+    report_.limit = scene_.adaption ? scene_.adaption->limit : 0.0;
+    report_.pose_names = input_.pose_names;
+    report_.warnings = input_.warnings;
+    const long replays = scene_.adaption && scene_.adaption->verify ? 2 : 0;
+    progress_.emplace(static_cast<long>(timeline(scene_, true).size()) +
+                      replays * static_cast<long>(timeline(scene_, false).size()));
+  }
+
+  RunOptions options(bool adapting, const char* what) {
+    RunOptions options;
+    options.adapting = adapting;
+    options.first_areas = &first_areas_;
+    options.interrupted = &interrupted_;
+    options.on_step = [this, what](const Moment& moment) {
+      progress_->advance(fmt::format("{}, {:.3f} s of motion", what, moment.time_s));
+    };
+    return options;
+  }
+
+  void adaptingRun() {
+    std::optional<SeriesOfRun> series;
+    RunOptions run_options = options(true, scene_.adaption ? "adapting" : "simulating");
+    if (scene_.output) {
+      series.emplace(directory_, input_.garment.triangles, input_.body_triangles);
+      run_options.series = &*series;
+    }
+    const auto finish = [&] {
+      if (series) {
+        series->garment.finish();
+        series->body.finish();
+        series->rest.finish();
+      }
+      measureGrowth(first_inverse_, sum(first_areas_), *cloth_, report_);
+      writeObj(directory_ / "rest_shape.obj", {cloth_->restPositions(), cloth_->triangles()});
+      writeVtp(directory_ / "rest_shape.vtp", cloth_->triangles(), restFrame(*cloth_, first_areas_));
+    };
+    try {
+      runMotion(scene_, input_, body(), *cloth_, run_options, state_, report_.run);
+    } catch (const ComputationError&) {
+      finish();
+      throw;
+    }
+    const Clock::time_point start = Clock::now();
+    finish();
+    report_.run.output_s += secondsSince(start);
+    report_.run.wall_s += secondsSince(start);
+  }
+
+  void replays() {
+    const Positions adapted_positions = cloth_->restPositions();
+    const std::vector<Mat2> adapted_edges = cloth_->restEdges();
+    replay(first_positions_, first_edges_, "replaying the first rest shape", report_.before, before_);
+    replay(adapted_positions, adapted_edges, "replaying the adapted rest shape", report_.after, after_);
+    report_.verified = !interrupted_;
+  }
+
+  void replay(const Positions& rest, const std::vector<Mat2>& edges, const char* what, PassRecord& record,
+              LastPose& last) {
+    if (interrupted_) return;
+    cloth_->setRest(rest, edges);
+    State state;
+    runMotion(scene_, input_, body(), *cloth_, options(false, what), state, record);
+    std::vector<Stretch> stretch;
+    measureStretch(*cloth_, state.positions, stretch);
+    last.garment = {state.positions, cloth_->triangles()};
+    for (const Stretch& s : stretch) last.sigma_1.push_back(static_cast<float>(s.sigma_1));
+  }
+
+  void drawPicture() {
+    progress_.reset();
+    const TriangleMesh last_body{input_.poses.empty() ? Positions() : input_.poses.back(), input_.body_triangles};
+    const TriangleMesh* shown = input_.poses.empty() ? nullptr : &last_body;
+    const double limit = 1.0 + report_.limit;
+    const std::string reason = drawStretch(
+        directory_ / "stretch.png",
+        {{"before", &before_.garment, before_.sigma_1, shown}, {"after", &after_.garment, after_.sigma_1, shown}},
+        "largest principal stretch", 1.0, 1.0 + 2.0 * report_.limit, limit);
+    if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
+  }
+
+  void finishReport(Clock::time_point start) {
+    progress_.reset();
+    report_.interrupted = interrupted_;
+    report_.total_s = secondsSince(start);
+    writeReport(report_, scene_, directory_);
+  }
+
+  MovingBody* body() { return body_ ? &*body_ : nullptr; }
+
+  static double sum(const std::vector<double>& values) {
+    double total = 0.0;
+    for (double value : values) total += value;
+    return total;
+  }
+
+  const Scene& scene_;
+  const SceneInput& input_;
+  const std::filesystem::path directory_;
+  const std::atomic<bool>& interrupted_;
+
+  std::optional<Cloth> cloth_;
+  std::optional<MovingBody> body_;
+  Positions first_positions_;
+  std::vector<Mat2> first_edges_, first_inverse_;
+  std::vector<double> first_areas_;
+  State state_;
+  LastPose before_, after_;
+  Report report_;
+  std::optional<Progress> progress_;
+};
+
+}  // namespace
+
+bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
+              const std::atomic<bool>& interrupted) {
+  return Job(scene, input, directory, interrupted)();
+}
+
+}  // namespace ease

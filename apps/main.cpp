@@ -1,0 +1,207 @@
+// The command line: `ease run SCENE`, `ease check SCENE`.
+//
+// Exit codes: 0 done, 1 wrong input, 2 the computation failed, 130 interrupted.
+#include <fmt/format.h>
+#include <oneapi/tbb/task_arena.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <new>
+
+#include "apps/job.h"
+#include "apps/scene.h"
+#include "apps/words.h"
+#include "solver/mesh/error.h"
+#include "solver/mesh/topology.h"
+
+namespace fs = std::filesystem;
+
+namespace ease {
+
+namespace {
+
+enum ExitCode { kDone = 0, kWrongInput = 1, kFailed = 2, kInterrupted = 130 };
+
+constexpr const char* kExamples = R"(
+Examples:
+  ease run scenes/t-shirt.toml                    results in results/t-shirt
+  ease run scenes/t-shirt.toml -o /tmp/shirt      results in /tmp/shirt
+  ease check scenes/t-shirt.toml                  reads and checks everything, computes nothing
+Every key of a scene, with its unit, is explained in scenes/t-shirt.toml.
+Exit codes: 0 done, 1 wrong input, 2 the computation failed, 130 interrupted.)";
+
+constexpr const char* kRunExamples = R"(
+Examples:
+  ease run scenes/t-shirt.toml
+  ease run scenes/t-shirt.toml -o /tmp/shirt --threads 1
+Open garment.pvd, body.pvd and rest.pvd of the results in ParaView; report.json has the figures.
+Ctrl-C ends a run early and leaves what is written whole; once more, it ends at once.)";
+
+constexpr const char* kCheckExamples = R"(
+Example:
+  ease check scenes/t-shirt.toml)";
+
+struct Arguments {
+  std::string scene;
+  std::string directory;  // empty: results/<name>
+  int threads = -1;       // -1: as the scene says
+};
+
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+
+void onSignal(int) {
+  if (interrupted.exchange(true)) ::_exit(kInterrupted);
+}
+
+void say(const char* kind, const std::string& line) {
+  fmt::print(stderr, "ease: {}: {}\n", kind, line);
+}
+
+/// Makes the directory and a file in it, so that a run does not end with nowhere to write to.
+void prepareDirectory(const fs::path& directory) {
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) throw InputError(fmt::format("{}: cannot make this directory: {}", directory.string(), error.message()));
+  const fs::path probe = directory / fmt::format(".writable-{}", ::getpid());
+  const bool writable = static_cast<bool>(std::ofstream(probe) << '\n' << std::flush);
+  fs::remove(probe, error);
+  if (!writable) throw InputError(fmt::format("{}: cannot write into this directory", directory.string()));
+}
+
+SceneInput readWithWarnings(const Scene& scene) {
+  SceneInput input = readSceneInput(scene);
+  for (const std::string& warning : input.warnings) say("warning", warning);
+  return input;
+}
+
+/// What `ease check` prints: enough to see whether the scene is the one that was meant.
+void printSummary(const Scene& scene, const SceneInput& input) {
+  const Topology topology = buildTopology(input.garment, scene.name);
+  size_t pinned = 0;
+  for (const std::vector<int>& vertices : input.pins) pinned += vertices.size();
+  fmt::print("{}\n", scene.name);
+  const size_t loops = topology.boundary_loops.size();
+  fmt::print("  garment   {} vertices, {} triangles, {} boundary loop{}, {} pinned vertices\n",
+             input.garment.positions.rows(), input.garment.triangles.rows(), loops, loops == 1 ? "" : "s", pinned);
+  if (scene.body) {
+    fmt::print("  body      {} vertices, {} triangles, poses: {}\n", input.poses.front().rows(),
+               input.body_triangles.rows(), fmt::join(input.pose_names, ", "));
+  } else {
+    fmt::print("  body      none\n");
+  }
+  const int steps = timeStepsOfMotion(scene);
+  fmt::print("  motion    {} time steps of {:g} s: {:g} s\n", steps, scene.solver.time_step,
+             steps * scene.solver.time_step);
+  if (const auto& adaption = scene.adaption) {
+    fmt::print("  adaption  principal stretch at most {:g}, every {} time steps, {} through the motion{}{}\n",
+               1.0 + adaption->limit, adaption->every,
+               adaption->cycles == 1 ? "once" : fmt::format("{} times", adaption->cycles),
+               adaption->settle > 0 ? fmt::format(", then {} time steps more", adaption->settle) : "",
+               adaption->verify ? ", verified" : "");
+  }
+  fmt::print("ok\n");
+}
+
+ExitCode checkCommand(const Arguments& arguments) {
+  const Scene scene = readScene(arguments.scene);
+  const SceneInput input = readWithWarnings(scene);
+  if (interrupted) return kInterrupted;
+  printSummary(scene, input);
+  return kDone;
+}
+
+ExitCode runCommand(const Arguments& arguments) {
+  Scene scene = readScene(arguments.scene);
+  if (arguments.threads >= 0) scene.solver.threads = arguments.threads;
+  const fs::path directory =
+      arguments.directory.empty() ? fs::path("results") / scene.name : fs::path(arguments.directory);
+
+  // An arena of our own: the implicit one takes its size at first use, whatever is asked for later.
+  const int threads = scene.solver.threads;
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  return arena.execute([&] {
+    const SceneInput input = readWithWarnings(scene);
+    if (interrupted) return kInterrupted;
+    prepareDirectory(directory);
+    try {
+      if (runScene(scene, input, directory, interrupted)) return kDone;
+    } catch (const ComputationError& error) {
+      throw ComputationError(fmt::format("{}; what was written until then is in {}", error.what(), directory.string()));
+    }
+    say("interrupted", fmt::format("what was written until then is in {}", directory.string()));
+    return kInterrupted;
+  });
+}
+
+/// Calls `command`; whatever goes wrong becomes one line and an exit code.
+template <class Command>
+ExitCode guarded(const Command& command) {
+  try {
+    return command();
+  } catch (const InputError& error) {
+    say("error", error.what());
+    return kWrongInput;
+  } catch (const std::bad_alloc&) {
+    say("error", "out of memory");
+  } catch (const std::exception& error) {
+    say("error", error.what());
+  }
+  return kFailed;
+}
+
+ExitCode wrongUsage(const std::string& line) {
+  say("error", line + "; see: ease --help");
+  return kWrongInput;
+}
+
+ExitCode commandLine(int argc, char** argv) {
+  CLI::App app("Ease fits a garment to a moving body: poses and a garment in, a rest shape that fits every pose out.",
+               "ease");
+  app.footer(kExamples);
+  app.set_version_flag("--version", "ease " EASE_VERSION, "Print the version and end");
+  app.set_help_flag("-h,--help", "Print this help and end");
+
+  Arguments arguments;
+  CLI::App* run = app.add_subcommand("run", "Simulate and adapt; write series, rest shape, report and picture");
+  run->add_option("SCENE", arguments.scene, "Scene file, TOML")->required();
+  run->add_option("-o,--output", arguments.directory, "Directory for the results; by default results/<scene's name>");
+  run->add_option("--threads", arguments.threads, "Number of threads, 0 for all; by default as the scene says")
+      ->check(CLI::Range(0, 1024));
+  run->footer(kRunExamples);
+  CLI::App* check = app.add_subcommand("check", "Read and check all that run would use; compute nothing");
+  check->add_option("SCENE", arguments.scene, "Scene file, TOML")->required();
+  check->footer(kCheckExamples);
+
+  app.require_subcommand(0, 1);
+  app.allow_extras();  // an unknown command is named below; CLI11 would only say that one is missing
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return static_cast<ExitCode>(app.exit(error));  // --help, --version
+    return wrongUsage(error.what());
+  }
+  if (!app.remaining().empty()) {
+    const std::string word = app.remaining().front(), nearest = nearestWord(word, {"run", "check"});
+    const char* kind = word.front() == '-' ? "option" : run->parsed() || check->parsed() ? "argument" : "command";
+    return wrongUsage(fmt::format("unknown {} '{}'{}", kind, word,
+                                  nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest)));
+  }
+  if (run->parsed()) return guarded([&] { return runCommand(arguments); });
+  if (check->parsed()) return guarded([&] { return checkCommand(arguments); });
+  return wrongUsage("no command: expected 'run' or 'check'");
+}
+
+}  // namespace
+
+}  // namespace ease
+
+int main(int argc, char** argv) {
+  std::signal(SIGINT, ease::onSignal);
+  std::signal(SIGTERM, ease::onSignal);
+  return ease::guarded([&] { return ease::commandLine(argc, argv); });
+}

@@ -1,0 +1,135 @@
+#include "apps/report.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "apps/progress.h"
+#include "solver/mesh/error.h"
+
+namespace ease {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json statistics(const StretchStatistics& s) {
+  return {{"max", s.max}, {"p99", s.p99}, {"share_over_limit", s.share_over_limit}};
+}
+
+Json stretchRecord(const StretchRecord& record, const std::vector<std::string>& pose_names) {
+  Json json = statistics(record.overall);
+  json["poses"] = Json::array();
+  for (size_t p = 0; p < record.poses.size(); ++p) {
+    Json pose = {{"pose", pose_names[p]}};
+    pose.update(statistics(record.poses[p]));
+    json["poses"].push_back(pose);
+  }
+  return json;
+}
+
+Json penetration(const Penetration& p) {
+  return {{"vertices", 1e3 * p.vertices}, {"centroids", 1e3 * p.centroids}, {"edge_midpoints", 1e3 * p.edge_midpoints}};
+}
+
+double peakMemoryMB() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+double perSecond(int steps, double seconds) { return seconds > 0.0 ? steps / seconds : 0.0; }
+
+Json toJson(const Report& report, const Scene& scene) {
+  const PassRecord& run = report.run;
+  Json json;
+  json["scene"] = scene.name;
+  json["version"] = EASE_VERSION;
+  json["method"] = scene.solver.method;
+  json["vertices"] = report.vertices;
+  json["triangles"] = report.triangles;
+  json["poses"] = report.pose_names.size();
+  json["steps"] = run.steps;
+  json["settle_steps"] = run.settle_steps;
+  json["simulated_s"] = run.steps * report.time_step_s;
+  json["wall_s"] = {{"total", report.total_s}, {"setup", report.setup_s},       {"run", run.wall_s},
+                    {"step", run.step_s},      {"interpolation", run.interpolation_s},
+                    {"level_set", run.level_set_s}, {"adaption", run.adaption_s},  {"output", run.output_s}};
+  json["fps"] = {{"simulation", perSecond(run.steps, run.step_s)},
+                 {"full", perSecond(run.steps, report.setup_s + run.wall_s)}};
+  json["sigma_1"] = {{"limit", 1.0 + report.limit}, {"run", stretchRecord(run.stretch, report.pose_names)}};
+  if (report.verified) {
+    json["sigma_1"]["before"] = stretchRecord(report.before.stretch, report.pose_names);
+    json["sigma_1"]["after"] = stretchRecord(report.after.stretch, report.pose_names);
+  }
+  json["rest_growth"] = {
+      {"max", report.growth_max}, {"p99", report.growth_p99}, {"area_ratio", report.growth_area_ratio}};
+  Penetration deepest = run.penetration;
+  for (const PassRecord* pass : {&report.before, &report.after}) {
+    deepest.vertices = std::max(deepest.vertices, pass->penetration.vertices);
+    deepest.edge_midpoints = std::max(deepest.edge_midpoints, pass->penetration.edge_midpoints);
+    deepest.centroids = std::max(deepest.centroids, pass->penetration.centroids);
+  }
+  json["penetration_mm"] = penetration(deepest);
+  json["final_speed_m_s"] = run.final_speed_m_s;
+  json["solver"] = {{"newton_iterations", run.newton_iterations},
+                    {"cg_iterations", run.cg_iterations},
+                    {"factorisations", run.factorisations},
+                    {"adaptions", run.adaptions}};
+  json["rescues"] = {{"step_halvings", run.halvings}, {"voxels_on_demand", run.voxels_on_demand}};
+  json["level_set_MB"] = run.level_set_MB;
+  json["peak_memory_MB"] = peakMemoryMB();
+  json["warnings"] = report.warnings;
+  json["interrupted"] = report.interrupted;
+  if (!report.failure.empty()) json["failure"] = report.failure;
+  return json;
+}
+
+}  // namespace
+
+void StretchRecord::measured(const StretchStatistics& moment) {
+  overall.max = std::max(overall.max, moment.max);
+  overall.p99 = std::max(overall.p99, moment.p99);
+  overall.share_over_limit = std::max(overall.share_over_limit, moment.share_over_limit);
+}
+
+void writeReport(const Report& report, const Scene& scene, const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / "report.json", temporary = directory / "report.json.part";
+  {
+    std::ofstream out(temporary);
+    out << toJson(report, scene).dump(2) << '\n';
+    out.close();
+    if (!out) throw ComputationError(fmt::format("{}: cannot be written", file.string()));
+  }
+  std::error_code error;
+  std::filesystem::rename(temporary, file, error);
+  if (error) throw ComputationError(fmt::format("{}: {}", file.string(), error.message()));
+}
+
+std::string summaryText(const Report& report) {
+  const PassRecord& run = report.run;
+  std::string text = fmt::format(
+      "{} vertices, {} steps of {} ms in {}: {:.1f} steps/s all included, {:.1f} the simulation alone\n", report.vertices,
+      run.steps, 1e3 * report.time_step_s, durationText(report.total_s),
+      perSecond(run.steps, report.setup_s + run.wall_s), perSecond(run.steps, run.step_s));
+  if (report.verified) {
+    const auto line = [&](const char* when, const StretchRecord& s) {
+      text += fmt::format("stretch {}: at most {:.3f}, 99 % below {:.3f}, over {:.3g}: {:.2f} % of the triangles\n", when,
+                          s.overall.max, s.overall.p99, 1.0 + report.limit, 100.0 * s.overall.share_over_limit);
+    };
+    line("before", report.before.stretch);
+    line("after ", report.after.stretch);
+  }
+  if (report.limit > 0.0)
+    text += fmt::format("rest shape: area {:+.2f} %, largest growth {:.2f} times, 99 % below {:.2f}\n",
+                        100.0 * (report.growth_area_ratio - 1.0), report.growth_max, report.growth_p99);
+  if (!report.pose_names.empty())
+    text += fmt::format("deepest in the body: vertices {:.2f} mm, edge midpoints {:.2f} mm, centroids {:.2f} mm\n",
+                        1e3 * run.penetration.vertices, 1e3 * run.penetration.edge_midpoints,
+                        1e3 * run.penetration.centroids);
+  return text;
+}
+
+}  // namespace ease

@@ -1,0 +1,55 @@
+// What a run reports: report.json, and a summary on the terminal.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "adaption/stretch_measure.h"
+#include "apps/scene.h"
+#include "collision/contacts.h"
+
+namespace ease {
+
+/// Stretch of the cloth through one run of the motion: the worst of all measured moments, and as it was in each pose.
+struct StretchRecord {
+  StretchStatistics overall;
+  std::vector<StretchStatistics> poses;
+  void measured(const StretchStatistics& moment);
+};
+
+/// One run of the motion.
+struct PassRecord {
+  int steps = 0;
+  StretchRecord stretch;
+  Penetration penetration;
+  double wall_s = 0.0;             // the whole pass
+  double final_speed_m_s = 0.0;    // largest of a vertex, at the end
+  double level_set_s = 0.0, interpolation_s = 0.0, step_s = 0.0, adaption_s = 0.0, output_s = 0.0;
+  double level_set_MB = 0.0;
+  long newton_iterations = 0, cg_iterations = 0, factorisations = 0;
+  long halvings = 0, voxels_on_demand = 0, settle_steps = 0, adaptions = 0;
+};
+
+struct Report {
+  int vertices = 0, triangles = 0;
+  double time_step_s = 0.0;
+  double limit = 0.0;                        // 0: no adaption
+  std::vector<std::string> pose_names;
+  PassRecord run;
+  bool verified = false;
+  PassRecord before, after;                  // replays on the first and on the adapted rest shape
+  double growth_max = 1.0, growth_p99 = 1.0, growth_area_ratio = 1.0;
+  double setup_s = 0.0, total_s = 0.0;
+  bool interrupted = false;
+  std::string failure;                       // empty, or where and why the computation stopped
+  std::vector<std::string> warnings;
+};
+
+/// Writes report.json into the directory, temporary name first.  Throws ComputationError naming the file.
+void writeReport(const Report& report, const Scene& scene, const std::filesystem::path& directory);
+
+/// A few lines for people.
+std::string summaryText(const Report& report);
+
+}  // namespace ease

@@ -1,0 +1,211 @@
+#include "apps/run.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/task_group.h>
+
+#include "adaption/clip.h"
+#include "adaption/stitch.h"
+#include "apps/frames.h"
+#include "collision/body_pins.h"
+#include "solver/mesh/error.h"
+
+namespace ease {
+
+namespace {
+
+/// Adds the wall time of its scope.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// A task beside the step, waited for however the step ends.
+struct Ahead {
+  tbb::task_group group;
+  ~Ahead() { group.wait(); }
+};
+
+class Run {
+ public:
+  Run(const Scene& scene, const SceneInput& input, MovingBody* body, Cloth& cloth, const RunOptions& options,
+      State& state, PassRecord& record)
+      : scene_(scene),
+        input_(input),
+        body_(body),
+        cloth_(cloth),
+        options_(options),
+        state_(state),
+        record_(record),
+        step_(cloth),
+        vertex_count_(cloth.vertexCount()),
+        edge_count_(static_cast<int>(cloth.topology().edges.size())) {
+    if (options.adapting && scene.adaption) stitcher_ = std::make_unique<Stitcher>(cloth);
+  }
+
+  void operator()() {
+    begin();
+    for (const Moment& moment : timeline(scene_, options_.adapting)) {
+      if (options_.interrupted && *options_.interrupted) return;
+      try {
+        advance(moment);
+      } catch (const ComputationError& error) {
+        throw ComputationError(fmt::format("time step {} ({:.4f} s): {}", moment.step, moment.time_s, error.what()));
+      }
+      if (moment.measured) measure(moment);
+      if (moment.adapts) adapt();
+      if (moment.written && options_.series) write(moment);
+      if (options_.on_step) options_.on_step(moment);
+    }
+  }
+
+ private:
+  void begin() {
+    state_.positions = input_.garment.positions;
+    state_.velocities.setZero(vertex_count_, 3);
+    for (size_t k = 0; k < input_.pins.size(); ++k) {
+      auto& vertices = scene_.garment.pins[k].to_body ? body_pinned_ : fixed_;
+      vertices.insert(vertices.end(), input_.pins[k].begin(), input_.pins[k].end());
+    }
+    pins_.vertices = body_pinned_;
+    pins_.vertices.insert(pins_.vertices.end(), fixed_.begin(), fixed_.end());
+    if (body_) {
+      sampleCloth(state_.positions, cloth_.triangles(), cloth_.topology().edges, samples_);
+      body_->prepare(0, samples_);
+      body_pins_ = std::make_unique<BodyPins>(body_pinned_, state_.positions, input_.poses.front(), body_->triangles());
+    }
+    const Moment start{0, 0.0, 0.0, -1, 0, false, true, options_.series != nullptr};
+    measure(start);
+    if (options_.series) write(start);
+  }
+
+  void advance(const Moment& moment) {
+    Ahead ahead;
+    if (moment.next_level_set >= 0) {
+      // Where the samples will be, by the body's clock, while that level set is in use.
+      const double until = scene_.solver.time_step * (1.0 + 0.5 * scene_.solver.steps_per_pose);
+      sampleCloth(state_.positions + until * state_.velocities, cloth_.triangles(), cloth_.topology().edges,
+                  expected_samples_);
+      ahead.group.run([&] { body_->prepare(moment.next_level_set, expected_samples_); });
+    }
+    const Stopwatch watch(record_.step_s);
+    placePins(moment);
+    const StepOptions options{scene_.solver.time_step, scene_.solver.gravity, scene_.collision.stiffness};
+    const StepSummary step = step_.step(state_, options, pins_, [&](const Positions& x, auto& planes) {
+      findContacts(moment, x, planes);
+    });
+    if (!state_.positions.allFinite()) throw ComputationError("a position is not finite");
+    ++record_.steps;
+    record_.newton_iterations += step.newton_iterations;
+    record_.cg_iterations += step.cg_iterations;
+    record_.factorisations += step.factorisations;
+    record_.halvings += step.halvings;
+    if (body_) {
+      sampleCloth(state_.positions, cloth_.triangles(), cloth_.topology().edges, samples_);
+      contacts_.distancesSinceFind(samples_, distances_);
+      record_.penetration.deepen(distances_, vertex_count_, edge_count_);
+    }
+  }
+
+  void placePins(const Moment& moment) {
+    pins_.positions.clear();
+    if (body_) body_pins_->place(body_->at(moment.body), pins_.positions);
+    for (int v : fixed_) pins_.positions.push_back(input_.garment.positions.row(v));
+  }
+
+  void findContacts(const Moment& moment, const Positions& x, std::vector<ContactPlane>& planes) {
+    if (!body_) return;
+    sampleCloth(x, cloth_.triangles(), cloth_.topology().edges, samples_);
+    contacts_.find(body_->at(moment.body), samples_, scene_.collision.offset, planes);
+  }
+
+  void measure(const Moment& moment) {
+    const Stopwatch watch(record_.adaption_s);
+    measureStretch(cloth_, state_.positions, stretch_);
+    const double limit = scene_.adaption ? scene_.adaption->limit : 0.0;
+    const StretchStatistics statistics = stretchStatistics(firstStretches(stretch_), limit);
+    record_.stretch.measured(statistics);
+    if (moment.pose >= 0) {
+      record_.stretch.poses.resize(std::max<size_t>(record_.stretch.poses.size(), moment.pose + 1));
+      record_.stretch.poses[moment.pose] = statistics;
+    }
+    record_.final_speed_m_s = state_.velocities.rowwise().norm().maxCoeff();
+    if (!body_) return;
+    sampleCloth(state_.positions, cloth_.triangles(), cloth_.topology().edges, samples_);
+    contacts_.distances(body_->at(moment.body), samples_, distances_);
+    record_.penetration.deepen(distances_, vertex_count_, edge_count_);
+  }
+
+  void adapt() {
+    const Stopwatch watch(record_.adaption_s);
+    if (!clipStretch(cloth_, stretch_, clipOptions(scene_.adaption->limit), growth_)) return;
+    stitcher_->stitch(cloth_, growth_);
+    ++record_.adaptions;
+  }
+
+  void write(const Moment& moment) {
+    const Stopwatch watch(record_.output_s);
+    gap_.clear();
+    if (body_) {
+      gap_.assign(distances_.begin(), distances_.begin() + vertex_count_);
+      for (double& gap : gap_) gap -= scene_.collision.offset;
+      step_.potential().contactPressure(state_.positions, pressure_);
+      Frame body_frame;
+      body_->positions(moment.body, body_frame.positions);
+      options_.series->body.write(moment.time_s, std::move(body_frame));
+    }
+    const GarmentFields fields{stretch_, *options_.first_areas, gap_, pressure_, pins_.vertices};
+    options_.series->garment.write(moment.time_s, garmentFrame(cloth_, state_, fields));
+    options_.series->rest.write(moment.time_s, restFrame(cloth_, *options_.first_areas));
+  }
+
+  const Scene& scene_;
+  const SceneInput& input_;
+  MovingBody* body_;
+  Cloth& cloth_;
+  const RunOptions& options_;
+  State& state_;
+  PassRecord& record_;
+
+  NewtonStep step_;
+  ContactFinder contacts_;
+  std::unique_ptr<Stitcher> stitcher_;
+  int vertex_count_, edge_count_;
+  std::vector<int> body_pinned_, fixed_;  // vertices
+  std::unique_ptr<BodyPins> body_pins_;
+  Pins pins_;
+  std::vector<Vec3> samples_, expected_samples_;
+  std::vector<double> distances_, gap_, pressure_;
+  std::vector<Stretch> stretch_;
+  std::vector<Mat2> growth_;
+};
+
+}  // namespace
+
+void runMotion(const Scene& scene, const SceneInput& input, MovingBody* body, Cloth& cloth, const RunOptions& options,
+               State& state, PassRecord& record) {
+  const Stopwatch watch(record.wall_s);
+  const MovingBody::Times before = body ? body->times() : MovingBody::Times();
+  const auto finish = [&] {
+    if (!body) return;
+    record.interpolation_s = body->times().interpolation_s - before.interpolation_s;
+    record.level_set_s = body->times().level_set_s - before.level_set_s;
+    record.level_set_MB = static_cast<double>(body->levelSetBytes()) / 1e6;
+  };
+  Run one(scene, input, body, cloth, options, state, record);
+  try {
+    one();
+  } catch (...) {
+    finish();
+    throw;
+  }
+  finish();
+}
+
+}  // namespace ease

@@ -1,0 +1,213 @@
+#include "apps/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/toml_table.h"
+#include "apps/words.h"
+#include "collision/mannequin.h"
+
+namespace ease {
+
+namespace {
+
+// A motion longer than this is a slip of a key, not a scene: at 100 steps/s it would take a day.
+constexpr double kMostTimeSteps = 1e7;
+
+Vec3 readVec3(const TomlTable& table, std::string_view key, const Vec3& fallback, double most, const char* unit) {
+  const Range range{-most, most, false, unit};
+  const std::vector<double> values = table.numbers(key, range);
+  if (values.empty()) return fallback;
+  if (values.size() != 3) table.refuse(key, fmt::format("3 numbers, x, y and z, found {}", values.size()));
+  return {values[0], values[1], values[2]};
+}
+
+BodyScene readBody(const TomlTable& table) {
+  table.allow({"poses", "builtin", "steps", "match"});
+  BodyScene body;
+  body.builtin = table.choice("builtin", body.builtin, {"mannequin"});
+  body.poses = table.texts("poses");
+  if (body.poses.empty())
+    table.refuse("poses", body.builtin.empty() ? "mesh files, one a pose" : listWords(mannequinPoses()));
+  body.steps = table.integer("steps", body.steps, 1, 100000);
+  body.match_triangles = table.choice("match", "index", {"index", "triangles"}) == "triangles";
+
+  if (body.builtin.empty()) return body;
+  for (const std::string& pose : body.poses) {
+    const std::vector<std::string>& known = mannequinPoses();
+    if (std::find(known.begin(), known.end(), pose) == known.end())
+      table.refuse("poses", fmt::format("poses of the mannequin, {}; it has no '{}'", listWords(known), pose));
+  }
+  return body;
+}
+
+PinScene readPin(const TomlTable& table, bool has_body) {
+  table.allow({"loop", "vertices", "to"});
+  if (table.has("loop") && table.has("vertices")) table.refuse("vertices", "either loop or vertices, not both");
+  PinScene pin;
+  if (table.has("vertices")) {
+    pin.what = table.integers("vertices", 0, 1000000000);
+  } else if (table.isText("loop")) {
+    pin.what = table.text("loop", "");
+  } else if (table.has("loop")) {
+    pin.what = std::to_string(table.integer("loop", 0, 0, 1000000));
+  } else {
+    table.refuse("loop", "a loop, e.g. loop = 'top', or vertices");
+  }
+  pin.to_body = table.choice("to", has_body ? "body" : "fixed", {"body", "fixed"}) == "body";
+  if (pin.to_body && !has_body) table.refuse("to", "'fixed', since the scene has no [body]");
+  return pin;
+}
+
+GarmentScene readGarment(const TomlTable& table, const std::optional<BodyScene>& body) {
+  table.allow({"mesh", "builtin", "vertices", "grain", "pin"});
+  GarmentScene garment;
+  garment.mesh = table.text("mesh", garment.mesh);
+  garment.builtin = table.choice("builtin", garment.builtin, {"t-shirt", "dress"});
+  const bool built_in = !garment.builtin.empty();
+  if (built_in && !garment.mesh.empty()) table.refuse("builtin", "either mesh or builtin, not both");
+  if (!built_in && garment.mesh.empty()) table.refuse("mesh", "a mesh file, or builtin = 't-shirt' on the mannequin");
+  if (built_in && !(body && body->builtin == "mannequin"))
+    table.refuse("builtin", "[body] builtin = 'mannequin', since built-in garments are made on it");
+  if (built_in && body->poses.front() != "t")
+    table.refuse("builtin", "[body] poses to begin with 't', since built-in garments are made on that pose");
+  if (!built_in && table.has("vertices")) table.refuse("vertices", "builtin: a mesh has the vertices that it has");
+  garment.vertices = table.integer("vertices", garment.vertices, 100, 200000);
+
+  garment.grain = readVec3(table, "grain", garment.grain, 1e6, "");
+  if (garment.grain.norm() < 1e-6) table.refuse("grain", "a direction, not zero");
+  garment.grain.normalize();
+  for (const TomlTable& pin : table.tables("pin")) garment.pins.push_back(readPin(pin, body.has_value()));
+  return garment;
+}
+
+void readDamping(const TomlTable& table, Material& material) {
+  table.allow({"stretch", "shear", "bending"});
+  material.damping_stretch = table.number("stretch", material.damping_stretch, {0.0, 1e6, false, "N s/m"});
+  material.damping_shear = table.number("shear", material.damping_shear, {0.0, 1e6, false, "N s/m"});
+  material.damping_bending = table.number("bending", material.damping_bending, {0.0, 1e3, false, "N m s"});
+}
+
+Material readMaterial(const TomlTable& table) {
+  table.allow({"density", "total_mass", "stretch", "shear", "bending", "damping"});
+  Material material;
+  if (table.has("density") && table.has("total_mass"))
+    table.refuse("total_mass", "either density or total_mass, not both");
+  material.density = table.number("density", material.density, {0.0, 100.0, true, "kg/m^2"});
+  if (table.has("total_mass")) material.total_mass = table.number("total_mass", 0.0, {0.0, 1000.0, true, "kg"});
+
+  const Range membrane{0.0, 1e7, false, "N/m"};
+  if (table.isArray("stretch")) {
+    const std::vector<double> stretch = table.numbers("stretch", membrane);
+    if (stretch.size() != 2) table.refuse("stretch", "one number or two, [warp, weft], N/m");
+    material.stretch_warp = stretch[0];
+    material.stretch_weft = stretch[1];
+  } else if (table.has("stretch")) {
+    material.stretch_warp = material.stretch_weft = table.number("stretch", 0.0, membrane);
+  }
+  material.shear = table.number("shear", material.shear, membrane);
+  material.bending = table.number("bending", material.bending, {0.0, 1e3, false, "N m"});
+  if (material.stretch_warp + material.stretch_weft + material.shear + material.bending == 0.0)
+    table.refuse("stretch", "a stiffness above 0: with stretch, shear and bending all 0 there is no cloth");
+  if (const auto damping = table.table("damping")) readDamping(*damping, material);
+  return material;
+}
+
+SolverScene readSolver(const TomlTable& table, bool has_body) {
+  table.allow({"method", "time_step", "steps_per_pose", "steps", "gravity", "threads"});
+  SolverScene solver;
+  solver.method = table.choice("method", solver.method, {"bw1"});
+  solver.time_step = table.number("time_step", solver.time_step, {0.0, 1.0, true, "s"});
+  if (has_body && table.has("steps"))
+    table.refuse("steps", "steps_per_pose, since with a [body] the poses say how long the motion lasts");
+  if (!has_body && table.has("steps_per_pose")) table.refuse("steps_per_pose", "steps, since the scene has no [body]");
+  if (!has_body && !table.has("steps")) table.refuse("steps", "how many time steps a scene without a [body] lasts");
+  solver.steps_per_pose = table.integer("steps_per_pose", solver.steps_per_pose, 1, 10000);
+  solver.steps = table.integer("steps", solver.steps, 1, static_cast<int>(kMostTimeSteps));
+  solver.gravity = readVec3(table, "gravity", solver.gravity, 1000.0, "m/s^2");
+  solver.threads = table.integer("threads", solver.threads, 0, 1024);
+  return solver;
+}
+
+CollisionScene readCollision(const TomlTable& table) {
+  table.allow({"offset", "voxel"});
+  CollisionScene collision;
+  collision.offset = table.number("offset", collision.offset, {0.0, 0.1, false, "m"});
+  collision.voxel = table.number("voxel", collision.voxel, {0.0005, 0.1, false, "m"});
+  return collision;
+}
+
+AdaptionScene readAdaption(const TomlTable& table) {
+  table.allow({"limit", "every", "cycles", "settle", "verify"});
+  AdaptionScene adaption;
+  adaption.limit = table.number("limit", adaption.limit, {0.0, 2.0, true, ""});
+  adaption.every = table.integer("every", adaption.every, 1, 1000000);
+  adaption.cycles = table.integer("cycles", adaption.cycles, 1, 1000);
+  adaption.settle = table.integer("settle", adaption.settle, 0, 1000000);
+  adaption.verify = table.boolean("verify", adaption.verify);
+  return adaption;
+}
+
+OutputScene readOutput(const TomlTable& table) {
+  table.allow({"every"});
+  OutputScene output;
+  output.every = table.integer("every", output.every, 1, 1000000);
+  return output;
+}
+
+/// The name becomes a folder of results: one plain folder, not hidden.
+std::string readName(const TomlTable& root, const std::filesystem::path& file) {
+  const std::string name = root.text("name", file.stem().string());
+  if (name.front() == '.' || name.find_first_of("/\\") != std::string::npos)
+    root.refuse("name", "a name that can be a folder's: no slash, no dot in front");
+  return name;
+}
+
+/// Refuses a motion of absurd length, before timeStepsOfMotion() could overflow.
+void checkLength(const TomlTable& root, const Scene& scene) {
+  double steps = scene.solver.steps;
+  if (scene.body) {
+    const double intervals = std::max<size_t>(scene.body->poses.size() - 1, 1);
+    steps = intervals * scene.body->steps * scene.solver.steps_per_pose;
+  }
+  if (scene.adaption) steps = steps * scene.adaption->cycles + scene.adaption->settle;
+  if (steps <= kMostTimeSteps) return;
+  root.table(scene.body ? "body" : "solver")
+      ->refuse("steps", fmt::format("at most {:.0f} time steps in all, found {:.0f}", kMostTimeSteps, steps));
+}
+
+}  // namespace
+
+Scene readScene(const std::filesystem::path& file) {
+  const TomlTable root = TomlTable::read(file);
+  root.allow({"name", "body", "garment", "material", "solver", "collision", "adaption", "output"});
+  Scene scene;
+  scene.file = file;
+  scene.name = readName(root, file);
+  if (const auto body = root.table("body")) scene.body = readBody(*body);
+  const auto garment = root.table("garment");
+  if (!garment) root.refuse("garment", "a table [garment] with a mesh or a builtin garment");
+  scene.garment = readGarment(*garment, scene.body);
+  if (const auto material = root.table("material")) scene.material = readMaterial(*material);
+  if (const auto solver = root.table("solver"))
+    scene.solver = readSolver(*solver, scene.body.has_value());
+  else if (!scene.body)
+    root.refuse("solver", "a table [solver] with steps, since the scene has no [body]");
+  if (const auto collision = root.table("collision")) {
+    if (!scene.body) root.refuse("collision", "a [body] to collide with, or no such table");
+    scene.collision = readCollision(*collision);
+  }
+  if (const auto adaption = root.table("adaption")) scene.adaption = readAdaption(*adaption);
+  if (const auto output = root.table("output")) scene.output = readOutput(*output);
+  checkLength(root, scene);
+  return scene;
+}
+
+int timeStepsOfMotion(const Scene& scene) {
+  if (!scene.body) return scene.solver.steps;
+  const int intervals = std::max(static_cast<int>(scene.body->poses.size()) - 1, 1);
+  return intervals * scene.body->steps * scene.solver.steps_per_pose;
+}
+
+}  // namespace ease

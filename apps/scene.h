@@ -1,0 +1,94 @@
+// The scene file: what to simulate, on which body, and what to write.  TOML; every key has its unit here.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "solver/mesh/triangle_mesh.h"
+#include "solver/model/material.h"
+
+namespace ease {
+
+struct BodyScene {
+  std::vector<std::string> poses;  // mesh files relative to the scene file, or names of the built-in body's poses
+  std::string builtin;             // "mannequin", or empty: files
+  int steps = 60;                  // interpolation steps from a pose to the next; with one pose, how long it is held
+  bool match_triangles = false;    // match = "triangles"
+};
+
+struct PinScene {
+  std::variant<std::string, std::vector<int>> what;  // loop (see findLoop), or vertices
+  bool to_body = true;                               // to = "body" | "fixed"; by default to the body if there is one
+};
+
+struct GarmentScene {
+  std::string mesh;               // file relative to the scene file, or empty: built in
+  std::string builtin;            // "t-shirt", "dress"
+  int vertices = 3000;            // of the built-in garment
+  Vec3 grain = {0.0, -1.0, 0.0};  // warp direction
+  std::vector<PinScene> pins;
+};
+
+struct SolverScene {
+  std::string method = "bw1";
+  double time_step = 0.0025;         // s
+  int steps_per_pose = 4;            // time steps per interpolation step
+  int steps = 0;                     // time steps of a scene without a body
+  Vec3 gravity = {0.0, -9.81, 0.0};  // m/s^2
+  int threads = 0;                   // 0: all
+};
+
+struct CollisionScene {
+  double offset = 0.005;   // comfort: least distance to the body, m
+  double voxel = 0.01;     // m
+  double stiffness = 3e6;  // contact pressure per depth, N/m^3
+};
+
+struct AdaptionScene {
+  double limit = 0.1;  // delta: principal stretch at most 1 + delta
+  int every = 8;       // time steps
+  int cycles = 1;      // times through the motion
+  int settle = 0;      // time steps more on the last pose
+  bool verify = true;  // replay the motion on the first and on the adapted rest shape
+};
+
+struct OutputScene {
+  int every = 8;  // time steps per written frame
+};
+
+struct Scene {
+  std::filesystem::path file;
+  std::string name;  // of the scene and of its folder of results; by default the file's
+  std::optional<BodyScene> body;
+  GarmentScene garment;
+  Material material;
+  SolverScene solver;
+  CollisionScene collision;
+  std::optional<AdaptionScene> adaption;
+  std::optional<OutputScene> output;
+};
+
+/// Reads a scene.  Throws InputError with file, line, key, the value found and what was expected: unknown keys (with
+/// the nearest known one), wrong types, impossible values, missing tables, keys that exclude each other.
+Scene readScene(const std::filesystem::path& file);
+
+/// Time steps of once through the motion: (poses - 1, at least 1) x steps x steps_per_pose; without a body, its steps.
+int timeStepsOfMotion(const Scene& scene);
+
+/// What a scene names, read and checked.
+struct SceneInput {
+  TriangleMesh garment;
+  Triangles body_triangles;  // empty: no body
+  std::vector<std::string> pose_names;
+  std::vector<Positions> poses;        // same order as pose_names
+  std::vector<std::vector<int>> pins;  // vertices of each [[garment.pin]]
+  std::vector<std::string> warnings;   // one line each
+};
+
+/// Reads meshes and checks all that a run relies on; computes nothing else.  Throws InputError.
+SceneInput readSceneInput(const Scene& scene);
+
+}  // namespace ease

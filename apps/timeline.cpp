@@ -1,0 +1,35 @@
+#include "apps/timeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ease {
+
+std::vector<Moment> timeline(const Scene& scene, bool adapting) {
+  const int per_pose = scene.solver.steps_per_pose;
+  const int poses = scene.body ? static_cast<int>(scene.body->poses.size()) : 0;
+  const int steps_between = scene.body ? scene.body->steps : 0;
+  const bool adapts = adapting && scene.adaption;
+  const int motion = timeStepsOfMotion(scene) * (adapts ? scene.adaption->cycles : 1);
+  const int count = motion + (adapts ? scene.adaption->settle : 0);
+  const auto bodyAt = [&](int step) { return poses > 1 ? std::min(step, motion) / static_cast<double>(per_pose) : 0.0; };
+
+  std::vector<Moment> moments;
+  for (int step = 1; step <= count; ++step) {
+    Moment m{step, step * scene.solver.time_step, bodyAt(step), -1, -1, false, false, false};
+    const long next = std::lround(bodyAt(step + 1));
+    if (poses > 1 && next != std::lround(m.body)) m.next_level_set = static_cast<int>(next);
+    if (poses > 1 && step <= motion && step % (per_pose * steps_between) == 0) {
+      const int leg = step / (per_pose * steps_between) % (2 * (poses - 1));  // there and back again
+      m.pose = leg < poses ? leg : 2 * (poses - 1) - leg;
+    }
+    const int every = scene.adaption ? scene.adaption->every : scene.output ? scene.output->every : 8;
+    m.adapts = adapts && step % every == 0;
+    m.measured = m.adapts || m.pose >= 0 || step % every == 0 || step == count;
+    m.written = adapting && scene.output && (step % scene.output->every == 0 || step == count);
+    moments.push_back(m);
+  }
+  return moments;
+}
+
+}  // namespace ease

@@ -1,0 +1,24 @@
+// The moments of a run: where the body is at the end of each time step, and what is due then.
+//
+//   s   how far the body's motion is, in interpolation steps (moving_body.h)
+#pragma once
+
+#include <vector>
+
+#include "apps/scene.h"
+
+namespace ease {
+
+struct Moment {
+  int step;              // 1, 2, ...
+  double time_s;
+  double body;           // s
+  int next_level_set;    // to be prepared while this step is computed, since the next one needs it; -1: none
+  int pose;              // reached now; -1: none
+  bool adapts, measured, written;
+};
+
+/// `adapting`: the run that adapts, with its cycles and its settling; otherwise once through the motion.
+std::vector<Moment> timeline(const Scene& scene, bool adapting);
+
+}  // namespace ease

@@ -1,0 +1,284 @@
+#include "apps/toml_table.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "apps/words.h"
+#include "solver/mesh/error.h"
+
+namespace ease {
+
+struct TomlTable::Data {
+  std::shared_ptr<const toml::table> root;  // keeps `table` alive
+  const toml::table* table;
+  std::string file;
+  std::string path;  // "", "garment", "garment.pin"
+  bool of_array;     // one of [[path]]
+
+  std::string label() const {
+    if (path.empty()) return "";
+    return of_array ? "[[" + path + "]] " : "[" + path + "] ";
+  }
+  std::string pathOf(std::string_view key) const {
+    return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+  }
+  std::string place(const toml::node& node) const {
+    const auto line = node.source().begin.line;
+    return line > 0 ? fmt::format("{}:{}: ", file, line) : file + ": ";
+  }
+};
+
+namespace {
+
+/// A number with as few digits as tell it from its neighbours, and a point or an exponent to tell it from a whole one.
+std::string fractionText(double value) {
+  const std::string text = fmt::format("{}", value);
+  return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+}
+
+/// The value as TOML, on one line, cut where it is long.
+std::string valueText(const toml::node& node) {
+  constexpr size_t kLongest = 60;
+  std::string text;
+  if (const auto* fraction = node.as_floating_point()) {
+    text = fractionText(fraction->get());
+  } else if (const auto* array = node.as_array()) {
+    for (const toml::node& entry : *array) text += (text.empty() ? "" : ", ") + valueText(entry);
+    text = "[" + text + "]";
+  } else {
+    std::ostringstream out;
+    node.visit([&](const auto& value) { out << value; });
+    text = out.str();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+  }
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + " ...";
+}
+
+std::string typeText(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number with a fraction";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
+  }
+}
+
+std::string rangeText(const Range& range) {
+  const std::string unit = *range.unit ? std::string(" ") + range.unit : "";
+  return range.above_low ? fmt::format("a number above {:g} and at most {:g}{}", range.low, range.high, unit)
+                         : fmt::format("a number from {:g} to {:g}{}", range.low, range.high, unit);
+}
+
+bool inRange(double x, const Range& range) {
+  return std::isfinite(x) && (range.above_low ? x > range.low : x >= range.low) && x <= range.high;
+}
+
+std::string integerText(int low, int high) {
+  return fmt::format("a whole number from {} to {}", low, high);
+}
+
+std::optional<int> integerIn(const toml::node& node, int low, int high) {
+  const auto value = node.value_exact<int64_t>();
+  if (!value || *value < low || *value > high) return std::nullopt;
+  return static_cast<int>(*value);
+}
+
+std::optional<double> numberIn(const toml::node& node, const Range& range) {
+  if (!node.is_number()) return std::nullopt;
+  const double value = *node.value<double>();
+  return inRange(value, range) ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+TomlTable::TomlTable(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+TomlTable TomlTable::read(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) throw InputError(fmt::format("{}: no such scene file", file.string()));
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream content;
+  if (std::filesystem::is_directory(file, ignored) || !in || !(content << in.rdbuf()))
+    throw InputError(fmt::format("{}: cannot be read as a scene file", file.string()));
+  try {
+    auto root = std::make_shared<const toml::table>(toml::parse(content.str(), file.string()));
+    const toml::table* table = root.get();
+    return TomlTable(std::make_shared<const Data>(Data{std::move(root), table, file.string(), "", false}));
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
+  }
+}
+
+void TomlTable::allow(std::initializer_list<std::string_view> keys) const {
+  const toml::node* first = nullptr;
+  std::string_view unknown;
+  for (const auto& [key, node] : *data_->table) {
+    const bool known = std::find(keys.begin(), keys.end(), key.str()) != keys.end();
+    if (known || (first && first->source().begin.line <= node.source().begin.line)) continue;
+    first = &node;
+    unknown = key.str();
+  }
+  if (!first) return;
+
+  const std::vector<std::string> words(keys.begin(), keys.end());
+  const std::string nearest = nearestWord(unknown, words);
+  const std::string advice =
+      nearest.empty() ? "known here: " + listWords(words) : fmt::format("did you mean '{}'?", nearest);
+  throw InputError(fmt::format("{}{}'{}' is not a known {}; {}", data_->place(*first), data_->label(), unknown,
+                               first->is_table() || first->is_array_of_tables() ? "table" : "key", advice));
+}
+
+bool TomlTable::has(std::string_view key) const {
+  return data_->table->contains(key);
+}
+
+bool TomlTable::isArray(std::string_view key) const {
+  return has(key) && data_->table->get(key)->is_array();
+}
+
+bool TomlTable::isText(std::string_view key) const {
+  return has(key) && data_->table->get(key)->is_string();
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key) const {
+  const toml::node* node = data_->table->get(key);
+  if (!node) return std::nullopt;
+  if (!node->is_table()) refuse(key, fmt::format("a table [{}], found {}", data_->pathOf(key), typeText(*node)));
+  return TomlTable(
+      std::make_shared<const Data>(Data{data_->root, node->as_table(), data_->file, data_->pathOf(key), false}));
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  const toml::node* node = data_->table->get(key);
+  if (!node) return {};
+  if (!node->is_array_of_tables())
+    refuse(key, fmt::format("tables [[{}]], in double brackets, found {}", data_->pathOf(key), typeText(*node)));
+  std::vector<TomlTable> found;
+  for (const toml::node& entry : *node->as_array())
+    found.push_back(TomlTable(
+        std::make_shared<const Data>(Data{data_->root, entry.as_table(), data_->file, data_->pathOf(key), true})));
+  return found;
+}
+
+double TomlTable::number(std::string_view key, double fallback, const Range& range) const {
+  const toml::node* node = data_->table->get(key);
+  if (!node) return fallback;
+  const auto value = numberIn(*node, range);
+  if (!value) refuse(key, rangeText(range) + (node->is_number() ? "" : ", found " + typeText(*node)));
+  return *value;
+}
+
+int TomlTable::integer(std::string_view key, int fallback, int low, int high) const {
+  const toml::node* node = data_->table->get(key);
+  if (!node) return fallback;
+  const auto value = integerIn(*node, low, high);
+  if (!value) refuse(key, integerText(low, high) + (node->is_integer() ? "" : ", found " + typeText(*node)));
+  return *value;
+}
+
+bool TomlTable::boolean(std::string_view key, bool fallback) const {
+  const toml::node* node = data_->table->get(key);
+  if (!node) return fallback;
+  if (!node->is_boolean()) refuse(key, "true or false, found " + typeText(*node));
+  return *node->value<bool>();
+}
+
+std::string TomlTable::text(std::string_view key, const std::string& fallback) const {
+  const toml::node* node = data_->table->get(key);
+  if (!node) return fallback;
+  if (!node->is_string()) refuse(key, "a string, found " + typeText(*node));
+  const std::string value = *node->value<std::string>();
+  if (value.empty()) refuse(key, "a string that is not empty");
+  return value;
+}
+
+std::string TomlTable::choice(std::string_view key, const std::string& fallback,
+                              const std::vector<std::string>& words) const {
+  if (!has(key)) return fallback;
+  const toml::node* node = data_->table->get(key);
+  if (!node->is_string()) refuse(key, listWords(words) + ", found " + typeText(*node));
+  const std::string value = *node->value<std::string>();
+  if (std::find(words.begin(), words.end(), value) == words.end()) refuse(key, listWords(words));
+  return value;
+}
+
+namespace {
+
+/// Entries of an array by `read`, or the entry (counted from 1) that `read` refused and its type.
+template <class Value, class Read>
+std::vector<Value> readArray(const toml::node& node, const Read& read, std::string& fault) {
+  const toml::array* array = node.as_array();
+  if (!array) {
+    fault = "found " + typeText(node);
+    return {};
+  }
+  if (array->empty()) fault = "found none";
+  std::vector<Value> values;
+  for (const toml::node& entry : *array) {
+    const std::optional<Value> value = read(entry);
+    if (!value) {
+      fault = fmt::format("entry {} is {}", values.size() + 1, valueText(entry));
+      return {};
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<double> TomlTable::numbers(std::string_view key, const Range& range) const {
+  if (!has(key)) return {};
+  std::string fault;
+  auto values = readArray<double>(
+      *data_->table->get(key), [&](const toml::node& entry) { return numberIn(entry, range); }, fault);
+  if (!fault.empty()) refuse(key, fmt::format("an array whose entries are {}; {}", rangeText(range), fault));
+  return values;
+}
+
+std::vector<int> TomlTable::integers(std::string_view key, int low, int high) const {
+  if (!has(key)) return {};
+  std::string fault;
+  auto values = readArray<int>(
+      *data_->table->get(key), [&](const toml::node& entry) { return integerIn(entry, low, high); }, fault);
+  if (!fault.empty()) refuse(key, fmt::format("an array whose entries are {}; {}", integerText(low, high), fault));
+  return values;
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  if (!has(key)) return {};
+  std::string fault;
+  const auto read = [](const toml::node& entry) {
+    auto value = entry.value_exact<std::string>();
+    return value && !value->empty() ? value : std::nullopt;
+  };
+  auto values = readArray<std::string>(*data_->table->get(key), read, fault);
+  if (!fault.empty()) refuse(key, "an array of strings; " + fault);
+  return values;
+}
+
+void TomlTable::refuse(std::string_view key, const std::string& expected) const {
+  const toml::node* node = data_->table->get(key);
+  if (!node)
+    throw InputError(
+        fmt::format("{}{}{} is missing: expected {}", data_->place(*data_->table), data_->label(), key, expected));
+  const std::string value = node->is_table() ? "" : " = " + valueText(*node);
+  throw InputError(fmt::format("{}{}{}{}: expected {}", data_->place(*node), data_->label(), key, value, expected));
+}
+
+}  // namespace ease

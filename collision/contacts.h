@@ -1,0 +1,60 @@
+// Contacts of a cloth with the level set of a moving body.
+//
+//   gap = phi(x) - offset, m     offset: comfort, the least distance that the garment keeps from the body
+//
+// A level set stands for its pose; between poses it is carried along with the body's motion: at time tau after it, a point x is looked up
+// where the body's surface near it came from, x - tau u.
+//
+// Where two parts of the body are nearer to each other than twice the offset (a closed armpit), no point is an offset away from both, and
+// a plane that asks for it would throw the cloth from one part to the other, step after step.  There the plane asks for the middle.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "collision/level_set.h"
+#include "solver/mesh/topology.h"
+#include "solver/model/contact.h"
+
+namespace ease {
+
+/// Positions of all samples (contact.h), m.
+void sampleCloth(const Positions& x, const Triangles& triangles, const std::vector<Edge>& edges,
+                 std::vector<Vec3>& samples);
+
+/// The body around the pose that a level set was made of.
+struct BodyMoment {
+  LevelSet* level_set;
+  const Triangles* triangles;   // of the body
+  const Positions* at;          // the pose of the level set
+  const Positions* towards;     // the pose before or after it, towards which tau counts
+  double tau = 0.0;             // how far the body has moved from `at` to `towards`, 0 to 1
+};
+
+/// How deep the cloth is in the body, m; 0 where outside.
+struct Penetration {
+  double vertices = 0.0, edge_midpoints = 0.0, centroids = 0.0;
+  void deepen(const std::vector<double>& sample_distances, int vertex_count, int edge_count);
+};
+
+class ContactFinder {
+ public:
+  /// A plane for each of the samples; those nearer than `reach` (m) beyond the offset get a normal.
+  void find(const BodyMoment& body, std::span<const Vec3> samples, double offset, std::vector<ContactPlane>& planes);
+
+  /// Signed distance of each sample to the body, m.
+  void distances(const BodyMoment& body, std::span<const Vec3> samples, std::vector<double>& distances);
+
+  /// The same to first order and for nothing, where the samples have moved a little since the last find() at this moment.
+  void distancesSinceFind(std::span<const Vec3> samples, std::vector<double>& distances) const;
+
+ private:
+  void lookUp(const BodyMoment& body, std::span<const Vec3> samples);
+
+  std::vector<LevelSetSample> found_, ahead_;
+  std::vector<Vec3> found_at_;
+  std::vector<int> chosen_;              // samples looked up a second time
+  std::vector<Vec3> chosen_points_;
+};
+
+}  // namespace ease

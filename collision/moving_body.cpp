@@ -1,0 +1,85 @@
+#include "collision/moving_body.h"
+
+#include <cassert>
+#include <chrono>
+#include <cmath>
+
+namespace ease {
+
+namespace {
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+constexpr double kMarginVoxels = 0.4;  // how far samples stray from where a level set was prepared
+
+}  // namespace
+
+MovingBody::MovingBody(const Triangles& triangles, const std::vector<Positions>& poses, int steps,
+                       const LevelSetOptions& options)
+    : triangles_(triangles), steps_(steps), margin_(kMarginVoxels * options.voxel), first_(poses.front()) {
+  for (size_t p = 0; p + 1 < poses.size(); ++p) {
+    const std::vector<int> ordering = p > 0 ? interpolations_.front().ordering() : std::vector<int>();
+    interpolations_.emplace_back(triangles, poses[p], poses[p + 1], ordering);
+  }
+  for (int i = 0; i < 2; ++i) prepared_.push_back({TriangleTree(first_, triangles_), LevelSet(options)});
+}
+
+int MovingBody::folded(int k) const {
+  const int n = motionSteps();
+  if (n == 0) return 0;
+  const int once = std::abs(k) % (2 * n);
+  return once <= n ? once : 2 * n - once;
+}
+
+void MovingBody::interpolate(int k) {
+  Slot& slot = poses_[(k + 4) % 4];
+  const int folded_k = folded(k);
+  if (slot.k == folded_k && slot.positions.rows() > 0) return;
+  slot.k = folded_k;
+  if (interpolations_.empty()) {
+    slot.positions = first_;
+    return;
+  }
+  const int pair = std::min(folded_k / steps_, static_cast<int>(interpolations_.size()) - 1);
+  interpolations_[pair].at(static_cast<double>(folded_k - pair * steps_) / steps_, slot.positions);
+}
+
+const Positions& MovingBody::pose(int k) const {
+  const Slot& slot = poses_[(k + 4) % 4];
+  assert(slot.k == folded(k));
+  return slot.positions;
+}
+
+void MovingBody::prepare(int k, std::span<const Vec3> points) {
+  auto start = std::chrono::steady_clock::now();
+  for (int i = k - 1; i <= k + 1; ++i) interpolate(i);
+  times_.interpolation_s += secondsSince(start);
+
+  start = std::chrono::steady_clock::now();
+  Prepared& prepared = prepared_[k % 2];
+  prepared.tree.refit(pose(k));
+  prepared.level_set.build(prepared.tree, points, margin_);
+  times_.level_set_s += secondsSince(start);
+}
+
+BodyMoment MovingBody::at(double s) {
+  const int k = static_cast<int>(std::lround(s));
+  const double tau = s - k;
+  return {&prepared_[k % 2].level_set, &triangles_, &pose(k), &pose(tau < 0.0 ? k - 1 : k + 1), std::abs(tau)};
+}
+
+void MovingBody::positions(double s, Positions& x) const {
+  const int k = static_cast<int>(std::lround(s));
+  const double tau = s - k;
+  x = (1.0 - std::abs(tau)) * pose(k) + std::abs(tau) * pose(tau < 0.0 ? k - 1 : k + 1);
+}
+
+size_t MovingBody::levelSetBytes() const {
+  size_t bytes = 0;
+  for (const Prepared& prepared : prepared_) bytes += prepared.level_set.memoryBytes();
+  return bytes;
+}
+
+}  // namespace ease

@@ -1,0 +1,197 @@
+#include "collision/self_overlap.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "collision/triangle_tree_data.h"
+#include "solver/linear/parallel.h"
+
+namespace ease {
+
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+Corners cornersOf(const TriangleTree::Data& tree, int t) {
+  return {tree.positions.row(tree.triangles(t, 0)), tree.positions.row(tree.triangles(t, 1)),
+          tree.positions.row(tree.triangles(t, 2))};
+}
+
+/// Whether the triangles' shadows on the axis lie apart by more than rounding.
+bool separates(const Vec3& axis, const Corners& a, const Corners& b, double slack) {
+  const double length = axis.norm();
+  const auto [a_low, a_high] = std::minmax({axis.dot(a[0] - a[0]), axis.dot(a[1] - a[0]), axis.dot(a[2] - a[0])});
+  const auto [b_low, b_high] = std::minmax({axis.dot(b[0] - a[0]), axis.dot(b[1] - a[0]), axis.dot(b[2] - a[0])});
+  return std::max(b_low - a_high, a_low - b_high) > slack * length;
+}
+
+/// Whether two triangles without a common vertex meet: no axis separates them, be it a normal, a product of two edges
+/// or, for coplanar ones, an edge's normal in the plane.  Triangles that touch within rounding count as meeting.
+bool meet(const Corners& a, const Corners& b, double slack) {
+  const Vec3 normal_a = doubleAreaNormal(a[0], a[1], a[2]), normal_b = doubleAreaNormal(b[0], b[1], b[2]);
+  if (separates(normal_a, a, b, slack) || separates(normal_b, a, b, slack)) return false;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 edge_a = a[(i + 1) % 3] - a[i], edge_b = b[(i + 1) % 3] - b[i];
+    if (separates(normal_a.cross(edge_a), a, b, slack) || separates(normal_b.cross(edge_b), a, b, slack)) return false;
+    for (int j = 0; j < 3; ++j)
+      if (separates(edge_a.cross(b[(j + 1) % 3] - b[j]), a, b, slack)) return false;
+  }
+  return true;
+}
+
+/// Whether the segment from p to q passes through the triangle, its rim included.
+bool pierces(const Vec3& p, const Vec3& q, const Corners& a) {
+  const auto volume = [&](const Vec3& s, const Vec3& t) { return (s - p).cross(t - p).dot(q - p); };
+  const Vec3 normal = doubleAreaNormal(a[0], a[1], a[2]);
+  const double from = normal.dot(p - a[0]), to = normal.dot(q - a[0]);
+  if ((from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0) || (from == 0.0 && to == 0.0)) return false;
+  const auto [low, high] = std::minmax({volume(a[0], a[1]), volume(a[1], a[2]), volume(a[2], a[0])});
+  return low >= 0.0 || high <= 0.0;
+}
+
+/// Whether two triangles with one common vertex cross along a segment that starts there: one's opposite edge pierces
+/// the other.  `s_corner`, `t_corner`: where the common vertex is.
+bool crossFromVertex(const Corners& s, int s_corner, const Corners& t, int t_corner) {
+  return pierces(s[(s_corner + 1) % 3], s[(s_corner + 2) % 3], t) ||
+         pierces(t[(t_corner + 1) % 3], t[(t_corner + 2) % 3], s);
+}
+
+bool cross(const TriangleTree::Data& tree, int s, int t, const std::vector<unsigned char>& folded) {
+  int common = 0, s_corner = 0, t_corner = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (tree.triangles(s, i) == tree.triangles(t, j)) {
+        ++common;
+        s_corner = i;
+        t_corner = j;
+      }
+  if (common > 1 || (common == 1 && !folded[tree.triangles(s, s_corner)])) return false;
+  const Corners a = cornersOf(tree, s), b = cornersOf(tree, t);
+  return common == 0 ? meet(a, b, 1e-6 * tree.slack) : crossFromVertex(a, s_corner, b, t_corner);
+}
+
+/// Boxes of the leaf's triangles.
+void triangleBoxes(const TreeLeaf& leaf, Lanes3& low, Lanes3& high) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int k = 0; k < kWidth; ++k) {
+      const float e1 = leaf.edge_1[axis][k], e2 = leaf.edge_2[axis][k];
+      low[axis][k] = leaf.corner[axis][k] + smaller(smaller(e1, e2), 0.0f);
+      high[axis][k] = leaf.corner[axis][k] + larger(larger(e1, e2), 0.0f);
+    }
+}
+
+/// Lanes of `leaf` whose triangles do not lie wholly on one side of the plane of triangle k of `other`.
+unsigned cutByPlane(const TreeLeaf& leaf, const TreeLeaf& other, int k, float slack) {
+  const float nx = other.normal[0][k], ny = other.normal[1][k], nz = other.normal[2][k];
+  const float px = other.corner[0][k], py = other.corner[1][k], pz = other.corner[2][k];
+  unsigned lanes = 0;
+  for (int j = 0; j < kWidth; ++j) {
+    const float a = nx * (leaf.corner[0][j] - px) + ny * (leaf.corner[1][j] - py) + nz * (leaf.corner[2][j] - pz);
+    const float b = a + nx * leaf.edge_1[0][j] + ny * leaf.edge_1[1][j] + nz * leaf.edge_1[2][j];
+    const float c = a + nx * leaf.edge_2[0][j] + ny * leaf.edge_2[1][j] + nz * leaf.edge_2[2][j];
+    const float low = smaller(smaller(a, b), c), high = larger(larger(a, b), c);
+    lanes |= larger(low, -high) <= slack ? kLaneBit[j] : 0u;
+  }
+  return lanes;
+}
+
+/// Calls report(s, t) for the triangles s of leaf l and t of leaf m that cross, each pair once.
+template <class Report>
+void crossLeaves(const TriangleTree::Data& tree, int l, int m, const std::vector<unsigned char>& folded,
+                 const Report& report) {
+  const TreeLeaf &first = tree.leaves[l], &second = tree.leaves[m];
+  alignas(32) Lanes3 low, high, other_low, other_high;
+  triangleBoxes(first, low, high);
+  triangleBoxes(second, other_low, other_high);
+  for (unsigned near = overlappingLanes(low, high, second.box, tree.slack); near != 0; near &= near - 1) {
+    const int k = __builtin_ctz(near);
+    if (k >= first.count) break;
+    const FloatBox box{{low[0][k], low[1][k], low[2][k]}, {high[0][k], high[1][k], high[2][k]}};
+    unsigned candidates = overlappingLanes(other_low, other_high, box, tree.slack) & ((1u << second.count) - 1u);
+    if (l == m) candidates &= ~((2u << k) - 1u);
+    if (candidates != 0) candidates &= cutByPlane(second, first, k, tree.slack);
+    for (; candidates != 0; candidates &= candidates - 1) {
+      const int s = first.triangle[k], t = second.triangle[__builtin_ctz(candidates)];
+      if (cross(tree, s, t, folded)) report(s, t);
+    }
+  }
+}
+
+/// Whether a vertex's triangles do not all face the way of their mean: only then can two of them cross.
+bool isFolded(const TriangleTree::Data& tree, int v) {
+  const int begin = tree.fan_begin[v], end = tree.fan_begin[v + 1];
+  Vec3 mean = Vec3::Zero();
+  for (int i = begin; i < end; ++i) mean += tree.normals[tree.fan[i]];
+  return std::any_of(tree.fan.begin() + begin, tree.fan.begin() + end,
+                     [&](int t) { return !(tree.normals[t].dot(mean) > 0.0); });
+}
+
+}  // namespace
+
+void SelfOverlap::find(const TriangleTree& tree, std::span<const unsigned char> asked) {
+  const TriangleTree::Data& data = tree.data();
+  exposures_.assign(data.triangles.rows(), Exposure::unknown);
+  leaf_in_region_.resize(data.leaves.size());
+  parallelFor(static_cast<int>(data.leaves.size()), 1024, [&](int l) {
+    const TreeLeaf& leaf = data.leaves[l];
+    leaf_in_region_[l] = std::any_of(leaf.triangle.begin(), leaf.triangle.end(), [&](int t) { return asked[t] != 0; });
+    if (!leaf_in_region_[l]) return;
+    for (int t : leaf.triangle) exposures_[t] = Exposure::boundary;
+  });
+  findCrossings(data);
+  buryPatches(tree);
+  crossing_ = std::count(exposures_.begin(), exposures_.end(), Exposure::crossing);
+  buried_ = std::count(exposures_.begin(), exposures_.end(), Exposure::buried);
+}
+
+void SelfOverlap::findCrossings(const TriangleTree::Data& tree) {
+  const int vertices = static_cast<int>(tree.positions.rows());
+  folded_.resize(vertices);
+  parallelFor(vertices, 1024, [&](int v) {
+    const bool in_region = std::any_of(tree.fan.begin() + tree.fan_begin[v], tree.fan.begin() + tree.fan_begin[v + 1],
+                                       [&](int t) { return leaf_in_region_[tree.leaf_of_triangle[t]] != 0; });
+    folded_[v] = in_region && isFolded(tree, v);
+  });
+  const auto report = [&](int s, int t) {
+    std::atomic_ref(exposures_[s]).store(Exposure::crossing, std::memory_order_relaxed);
+    std::atomic_ref(exposures_[t]).store(Exposure::crossing, std::memory_order_relaxed);
+  };
+  parallelFor(static_cast<int>(tree.leaves.size()), 32, [&](int l) {
+    if (!leaf_in_region_[l]) return;
+    visitLeaves(tree, tree.leaves[l].box, [&](int m) {
+      const bool done_from_there = m < l && leaf_in_region_[m];
+      if (!done_from_there) crossLeaves(tree, l, m, folded_, report);
+    });
+  });
+}
+
+void SelfOverlap::buryPatches(const TriangleTree& tree) {
+  const TriangleTree::Data& data = tree.data();
+  const int m = static_cast<int>(data.triangles.rows());
+  visited_.assign(m, 0);
+  const auto belongs = [&](int t) {
+    return t >= 0 && !visited_[t] && exposures_[t] == Exposure::boundary;
+  };
+  for (int seed = 0; seed < m; ++seed) {
+    if (!belongs(seed) || data.normals[seed].isZero()) continue;
+    visited_[seed] = 1;
+    patch_.assign(1, seed);
+    for (size_t next = 0; next < patch_.size(); ++next)
+      for (int k = 0; k < 3; ++k)
+        if (const int t = data.neighbours(patch_[next], k); belongs(t)) {
+          visited_[t] = 1;
+          patch_.push_back(t);
+        }
+    const Corners corners = cornersOf(data, seed);
+    if (tree.windingOutside(seed, (corners[0] + corners[1] + corners[2]) / 3.0) == 0) continue;
+    for (int t : patch_) exposures_[t] = Exposure::buried;
+  }
+}
+
+size_t SelfOverlap::memoryBytes() const {
+  return exposures_.capacity() * sizeof(Exposure) + leaf_in_region_.capacity() + folded_.capacity() +
+         visited_.capacity() + patch_.capacity() * sizeof(int);
+}
+
+}  // namespace ease

@@ -1,0 +1,295 @@
+#include <algorithm>
+#include <cmath>
+
+#include "collision/point_triangle.h"
+#include "collision/triangle_tree_data.h"
+
+namespace ease {
+
+namespace {
+
+Vec3 corner(const TriangleTree::Data& tree, int t, int k) {
+  return tree.positions.row(tree.triangles(t, k));
+}
+
+float square(float a) {
+  return a * a;
+}
+
+/// A point as the single-precision boxes and triangles see it.
+struct FloatPoint {
+  std::array<float, 3> x;
+  double slack;  // m: how far rounding may shift a distance
+
+  FloatPoint(const TriangleTree::Data& tree, const Vec3& point) {
+    const Vec3 relative = point - tree.centre;
+    for (int axis = 0; axis < 3; ++axis) x[axis] = static_cast<float>(relative[axis]);
+    slack = tree.slack + 1e-6 * relative.cwiseAbs().maxCoeff();
+  }
+
+  /// What a squared distance in single precision may be for the distance to be at most sqrt(squared).
+  float bound(double squared) const {
+    const double distance = std::sqrt(squared) + slack;
+    return static_cast<float>(distance * distance * (1.0 + 1e-6));
+  }
+};
+
+/// Distance of x from the interval from `low` to `high`.
+inline float outside(float x, float low, float high) {
+  return larger(larger(low - x, x - high), 0.0f);
+}
+
+/// Squared distances of the node's boxes; returns the lanes where they are at most `bound`.
+unsigned boxDistances(const TreeNode& node, const FloatPoint& p, float bound, Lanes& squared) {
+  const float x = p.x[0], y = p.x[1], z = p.x[2];
+  unsigned near = 0;
+  for (int k = 0; k < kWidth; ++k) {
+    squared[k] = square(outside(x, node.low[0][k], node.high[0][k])) +
+                 square(outside(y, node.low[1][k], node.high[1][k])) +
+                 square(outside(z, node.low[2][k], node.high[2][k]));
+    near |= squared[k] <= bound ? kLaneBit[k] : 0u;
+  }
+  return near;
+}
+
+/// Squared distance of the point d from the segment from 0 to e.
+inline float segmentDistance(float dx, float dy, float dz, float ex, float ey, float ez, float inverse_square) {
+  const float s = smaller(larger((dx * ex + dy * ey + dz * ez) * inverse_square, 0.0f), 1.0f);
+  return square(dx - s * ex) + square(dy - s * ey) + square(dz - s * ez);
+}
+
+/// Squared distances of the leaf's triangles: to the plane where the point projects into the triangle, else to the
+/// nearest edge.  Returns the lanes where they are at most `bound`.
+unsigned triangleDistances(const TreeLeaf& leaf, const FloatPoint& p, float bound, Lanes& squared) {
+  unsigned near = 0;
+  for (int k = 0; k < kWidth; ++k) {
+    const float dx = p.x[0] - leaf.corner[0][k], dy = p.x[1] - leaf.corner[1][k], dz = p.x[2] - leaf.corner[2][k];
+    const float nx = leaf.normal[0][k], ny = leaf.normal[1][k], nz = leaf.normal[2][k];
+    const float ax = leaf.edge_1[0][k], ay = leaf.edge_1[1][k], az = leaf.edge_1[2][k];
+    const float bx = leaf.edge_2[0][k], by = leaf.edge_2[1][k], bz = leaf.edge_2[2][k];
+    const float qx = dy * nz - dz * ny, qy = dz * nx - dx * nz, qz = dx * ny - dy * nx;
+    const float side_1 = ax * qx + ay * qy + az * qz, side_2 = bx * qx + by * qy + bz * qz;
+    const float plane = square(dx * nx + dy * ny + dz * nz);
+    const float to_1 = segmentDistance(dx, dy, dz, ax, ay, az, leaf.inverse_square[0][k]);
+    const float to_2 = segmentDistance(dx, dy, dz, bx, by, bz, leaf.inverse_square[1][k]);
+    const float to_3 = segmentDistance(dx - ax, dy - ay, dz - az, bx - ax, by - ay, bz - az, leaf.inverse_square[2][k]);
+    const float inner = smaller(smaller(side_1, -side_2), leaf.double_area[k] + side_2 - side_1);
+    squared[k] = inner >= 0.0f ? plane : smaller(smaller(to_1, to_2), to_3);
+    near |= squared[k] <= bound ? kLaneBit[k] : 0u;
+  }
+  return near;
+}
+
+struct Nearest {
+  int triangle = -1;
+  double squared;  // m^2: of the point, or of the search's limit
+  TrianglePoint at;
+};
+
+/// Depth-first search, nearest child first, for the closest point on triangles that `accepts(triangle, point)` lets
+/// pass.
+template <class Accepts>
+class Search {
+ public:
+  Search(const TriangleTree::Data& tree, const Vec3& x, double max_distance, const Accepts& accepts)
+      : tree_(tree), x_(x), p_(tree, x), accepts_(accepts) {
+    best_.squared = max_distance * max_distance;
+    bound_ = p_.bound(best_.squared);
+  }
+
+  Nearest run(int hint) {
+    if (hint >= 0) tryTriangle(hint);
+    stack_[size_++] = {0.0f, 0};
+    while (size_ > 0) {
+      const Entry entry = stack_[--size_];
+      if (entry.squared > bound_) continue;
+      if (entry.child < 0)
+        visitLeaf(tree_.leaves[~entry.child]);
+      else
+        visitNode(tree_.nodes[entry.child]);
+    }
+    return best_;
+  }
+
+ private:
+  struct Entry {
+    float squared;
+    int child;
+  };
+
+  void visitNode(const TreeNode& node) {
+    alignas(32) Lanes squared;
+    const int first = size_;
+    for (unsigned near = boxDistances(node, p_, bound_, squared); near != 0; near &= near - 1) {
+      const int k = __builtin_ctz(near);
+      int place = size_++;
+      for (; place > first && stack_[place - 1].squared < squared[k]; --place) stack_[place] = stack_[place - 1];
+      stack_[place] = {squared[k], node.child[k]};
+    }
+  }
+
+  void visitLeaf(const TreeLeaf& leaf) {
+    alignas(32) Lanes squared;
+    for (unsigned near = triangleDistances(leaf, p_, bound_, squared); near != 0;) {
+      int k = __builtin_ctz(near);
+      for (unsigned others = near & (near - 1); others != 0; others &= others - 1)
+        if (const int other = __builtin_ctz(others); squared[other] < squared[k]) k = other;
+      if (squared[k] > bound_) break;
+      tryTriangle(leaf.triangle[k]);
+      near &= ~(1u << k);
+    }
+  }
+
+  void tryTriangle(int t) {
+    if (t == best_.triangle) return;
+    const TrianglePoint at = closestOnTriangle(x_, corner(tree_, t, 0), corner(tree_, t, 1), corner(tree_, t, 2));
+    const double squared = (x_ - at.point).squaredNorm();
+    const bool tie = squared == best_.squared && (best_.triangle < 0 || t < best_.triangle);
+    if (!(squared < best_.squared || tie) || !accepts_(t, at.point)) return;
+    best_ = {t, squared, at};
+    bound_ = p_.bound(squared);
+  }
+
+  const TriangleTree::Data& tree_;
+  const Vec3& x_;
+  const FloatPoint p_;
+  const Accepts& accepts_;
+  Nearest best_;
+  float bound_;
+  std::array<Entry, kStackSize> stack_;
+  int size_ = 0;
+};
+
+template <class Accepts>
+Nearest nearest(const TriangleTree::Data& tree, const Vec3& x, double max_distance, int hint, const Accepts& accepts) {
+  return Search<Accepts>(tree, x, max_distance, accepts).run(hint);
+}
+
+double angleAt(const TriangleTree::Data& tree, int t, int v) {
+  int k = 0;
+  while (tree.triangles(t, k) != v) ++k;
+  const Vec3 p = corner(tree, t, k), a = corner(tree, t, (k + 1) % 3) - p, b = corner(tree, t, (k + 2) % 3) - p;
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// The face's normal; the sum over an edge's triangles; around a vertex, the sum weighted by the angles there.
+Vec3 pseudonormal(const TriangleTree::Data& tree, int t, Feature feature) {
+  if (feature == Feature::face) return tree.normals[t];
+  const bool on_edge = feature < Feature::vertex_0;
+  const int k = static_cast<int>(feature) - static_cast<int>(on_edge ? Feature::edge_0 : Feature::vertex_0);
+  const int v = tree.triangles(t, k), w = tree.triangles(t, (k + 1) % 3);
+  Vec3 sum = Vec3::Zero();
+  for (int i = tree.fan_begin[v]; i < tree.fan_begin[v + 1]; ++i) {
+    const int s = tree.fan[i];
+    if (!on_edge)
+      sum += angleAt(tree, s, v) * tree.normals[s];
+    else if ((tree.triangles.row(s).array() == w).any())
+      sum += tree.normals[s];
+  }
+  return sum;
+}
+
+ClosestPoint describe(const TriangleTree::Data& tree, const Nearest& found, double max_distance) {
+  if (found.triangle < 0) return {-1, Vec3::Zero(), max_distance, Vec3::Zero()};
+  return {found.triangle, found.at.point, std::sqrt(found.squared),
+          pseudonormal(tree, found.triangle, found.at.feature)};
+}
+
+/// Whether the edge from vertex i to vertex j, seen along the ray at the origin of the plane (u, v), crosses the half
+/// axis u > 0: +1 upwards, -1 downwards.  The two triangles of an edge see exactly opposite values, so that a ray
+/// through an edge or a vertex is counted once.
+int edgeCrossing(const TriangleTree::Data& tree, const Vec3& x, int axis, int i, int j) {
+  const int sign = i < j ? 1 : -1;
+  if (i > j) std::swap(i, j);
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const double from_v = tree.positions(i, v) - x[v], to_v = tree.positions(j, v) - x[v];
+  if ((from_v >= 0.0) == (to_v >= 0.0)) return 0;
+  const double from_u = tree.positions(i, u) - x[u], to_u = tree.positions(j, u) - x[u];
+  const double twice_area = from_u * to_v - from_v * to_u;
+  if (to_v > from_v) return twice_area > 0.0 ? sign : 0;
+  return twice_area < 0.0 ? -sign : 0;
+}
+
+/// +1 where the ray from x along the positive `axis` leaves through triangle t, -1 where it enters.
+int rayCrossing(const TriangleTree::Data& tree, const Vec3& x, int axis, int t) {
+  int crossing = 0;
+  for (int k = 0; k < 3; ++k)
+    crossing += edgeCrossing(tree, x, axis, tree.triangles(t, k), tree.triangles(t, (k + 1) % 3));
+  if (crossing == 0) return 0;
+  const double ahead = tree.normals[t].dot(corner(tree, t, 0) - x) * tree.normals[t][axis];
+  return ahead > 0.0 ? crossing : 0;
+}
+
+/// Winding number at x, all triangles but `skipped` counted along the positive `axis`.
+int windingAlong(const TriangleTree::Data& tree, const Vec3& x, int axis, int skipped) {
+  Eigen::AlignedBox3d ray(x, x);
+  FloatBox box = tree.relative(ray);
+  const float slack = static_cast<float>(FloatPoint(tree, x).slack);
+  for (int k = 0; k < 3; ++k) {
+    box.low[k] -= slack;
+    box.high[k] += slack;
+  }
+  box.high[axis] = kEndless;
+  int winding = 0;
+  visitLeaves(tree, box, [&](int l) {
+    const TreeLeaf& leaf = tree.leaves[l];
+    for (int k = 0; k < leaf.count; ++k)
+      if (leaf.triangle[k] != skipped) winding += rayCrossing(tree, x, axis, leaf.triangle[k]);
+  });
+  return winding;
+}
+
+}  // namespace
+
+ClosestPoint TriangleTree::closest(const Vec3& x, double max_distance, int hint) const {
+  const auto all = [](int, const Vec3&) { return true; };
+  return describe(*data_, nearest(*data_, x, max_distance, hint, all), max_distance);
+}
+
+int TriangleTree::windingNumber(const Vec3& x) const {
+  return windingAlong(*data_, x, 2, -1);
+}
+
+int TriangleTree::windingOutside(int triangle, const Vec3& point) const {
+  const Data& tree = *data_;
+  const Vec3 centroid = (corner(tree, triangle, 0) + corner(tree, triangle, 1) + corner(tree, triangle, 2)) / 3.0;
+  const Vec3 inner = point + 1e-3 * (centroid - point);  // off the edges, which neighbours share
+  int axis = 0;
+  tree.normals[triangle].cwiseAbs().maxCoeff(&axis);
+  const int ahead = windingAlong(tree, inner, axis, triangle);
+  return tree.normals[triangle][axis] > 0.0 ? ahead : ahead - 1;
+}
+
+ClosestPoint TriangleTree::closestOfUnion(const Vec3& x, double max_distance, int hint,
+                                          std::span<const Exposure> exposures) const {
+  const Data& tree = *data_;
+  ClosestPoint found = closest(x, max_distance, hint);
+  if (found.triangle < 0) {
+    found.distance = windingNumber(x) > 0 ? -max_distance : max_distance;
+    return found;
+  }
+  const bool outer_side = (x - found.point).dot(found.pseudonormal) >= 0.0;
+  if (!exposures.empty() && exposures[found.triangle] == Exposure::boundary) {
+    if (!outer_side) found.distance = -found.distance;
+    return found;
+  }
+  // Nothing lies between x and the point found, so that the winding numbers on the point's two sides follow from x's.
+  const int winding = windingNumber(x);
+  const bool exposed = (outer_side ? winding : winding - 1) == 0;
+  if (!exposed) {
+    const auto bounds_union = [&](int t, const Vec3& point) {
+      const Exposure exposure = exposures.empty() ? Exposure::unknown : exposures[t];
+      if (exposure == Exposure::boundary || exposure == Exposure::buried) return exposure == Exposure::boundary;
+      return windingOutside(t, point) == 0;
+    };
+    found = describe(tree, nearest(tree, x, max_distance, -1, bounds_union), max_distance);
+  }
+  if (winding > 0) found.distance = -found.distance;
+  return found;
+}
+
+double TriangleTree::signedDistance(const Vec3& x, double max_distance) const {
+  return closestOfUnion(x, max_distance).distance;
+}
+
+}  // namespace ease

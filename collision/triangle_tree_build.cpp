@@ -1,0 +1,219 @@
+#include <algorithm>
+#include <numeric>
+
+#include "collision/triangle_tree_data.h"
+#include "solver/linear/parallel.h"
+
+namespace ease {
+
+namespace {
+
+/// Sorts the triangles into leaves of eight and the leaves into nodes, halving along the longest axis of the centroids;
+/// all leaves but one and all nodes but those on the tree's upper rim are full.
+struct Builder {
+  const std::vector<Vec3>& centroids;
+  std::vector<int>& order;  // triangles; leaf l holds order[8 l] ... order[8 l + 7]
+  std::vector<TreeNode>& nodes;
+
+  struct Range {
+    int first, count;  // leaves
+  };
+
+  int build(Range range) {
+    int unit = 1;
+    while (unit * kWidth < range.count) unit *= kWidth;
+    std::vector<Range> parts;
+    split(range, unit, parts);
+    const int index = static_cast<int>(nodes.size());
+    nodes.emplace_back();
+    nodes[index].children = static_cast<int>(parts.size());
+    for (size_t k = 0; k < parts.size(); ++k) {
+      const int child = parts[k].count == 1 ? ~parts[k].first : build(parts[k]);
+      nodes[index].child[k] = child;
+    }
+    return index;
+  }
+
+  void split(Range range, int unit, std::vector<Range>& parts) {
+    const int units = (range.count + unit - 1) / unit;
+    if (units <= 1) {
+      parts.push_back(range);
+      return;
+    }
+    const Range left{range.first, units / 2 * unit};
+    const Range right{range.first + left.count, range.count - left.count};
+    const auto begin = order.begin() + range.first * kWidth;
+    const auto middle = order.begin() + right.first * kWidth;
+    const auto end = order.begin() + std::min<long>((right.first + right.count) * long{kWidth}, std::ssize(order));
+    const int axis = longestAxis(begin, end);
+    std::nth_element(begin, middle, end, [&](int s, int t) {
+      return centroids[s][axis] != centroids[t][axis] ? centroids[s][axis] < centroids[t][axis] : s < t;
+    });
+    split(left, unit, parts);
+    split(right, unit, parts);
+  }
+
+  int longestAxis(std::vector<int>::const_iterator begin, std::vector<int>::const_iterator end) const {
+    Eigen::AlignedBox3d box;
+    for (auto t = begin; t != end; ++t) box.extend(centroids[*t]);
+    int axis = 0;
+    box.sizes().maxCoeff(&axis);
+    return axis;
+  }
+};
+
+void collectFans(TriangleTree::Data& tree) {
+  const int n = static_cast<int>(tree.positions.rows()), m = static_cast<int>(tree.triangles.rows());
+  tree.fan_begin.assign(n + 1, 0);
+  for (int t = 0; t < m; ++t)
+    for (int k = 0; k < 3; ++k) ++tree.fan_begin[tree.triangles(t, k) + 1];
+  std::partial_sum(tree.fan_begin.begin(), tree.fan_begin.end(), tree.fan_begin.begin());
+  tree.fan.resize(3 * m);
+  std::vector<int> next(tree.fan_begin.begin(), tree.fan_begin.end() - 1);
+  for (int t = 0; t < m; ++t)
+    for (int k = 0; k < 3; ++k) tree.fan[next[tree.triangles(t, k)]++] = t;
+}
+
+/// The lowest other triangle that holds edge (a, b); -1: none.
+int otherTriangle(const TriangleTree::Data& tree, int t, int a, int b) {
+  for (int i = tree.fan_begin[a]; i < tree.fan_begin[a + 1]; ++i) {
+    const int s = tree.fan[i];
+    if (s != t && (tree.triangles.row(s).array() == b).any()) return s;
+  }
+  return -1;
+}
+
+void collectNeighbours(TriangleTree::Data& tree) {
+  const int m = static_cast<int>(tree.triangles.rows());
+  tree.neighbours.resize(m, 3);
+  parallelFor(m, 4096, [&](int t) {
+    for (int k = 0; k < 3; ++k)
+      tree.neighbours(t, k) = otherTriangle(tree, t, tree.triangles(t, k), tree.triangles(t, (k + 1) % 3));
+  });
+}
+
+void buildNodes(TriangleTree::Data& tree) {
+  const int m = static_cast<int>(tree.triangles.rows());
+  std::vector<Vec3> centroids(m);
+  for (int t = 0; t < m; ++t)
+    centroids[t] = (tree.positions.row(tree.triangles(t, 0)) + tree.positions.row(tree.triangles(t, 1)) +
+                    tree.positions.row(tree.triangles(t, 2))) /
+                   3.0;
+  std::vector<int> order(m);
+  std::iota(order.begin(), order.end(), 0);
+  tree.leaves.resize((m + kWidth - 1) / kWidth);
+  Builder{centroids, order, tree.nodes}.build({0, static_cast<int>(tree.leaves.size())});
+  tree.leaf_of_triangle.resize(m);
+  for (size_t l = 0; l < tree.leaves.size(); ++l) {
+    TreeLeaf& leaf = tree.leaves[l];
+    const int first = static_cast<int>(l) * kWidth;
+    leaf.count = std::min(kWidth, m - first);
+    for (int k = 0; k < kWidth; ++k) leaf.triangle[k] = order[first + std::min(k, leaf.count - 1)];
+    for (int k = 0; k < leaf.count; ++k) tree.leaf_of_triangle[leaf.triangle[k]] = static_cast<int>(l);
+  }
+}
+
+float inverseSquare(const Vec3& edge) {
+  const double squared = edge.squaredNorm();
+  return squared > 0.0 ? static_cast<float>(1.0 / squared) : 0.0f;
+}
+
+void refitLeaf(TriangleTree::Data& tree, TreeLeaf& leaf) {
+  Eigen::AlignedBox3d box;
+  for (int k = 0; k < kWidth; ++k) {
+    const int t = leaf.triangle[k];
+    const Vec3 a = tree.positions.row(tree.triangles(t, 0)).transpose() - tree.centre;
+    const Vec3 b = tree.positions.row(tree.triangles(t, 1)).transpose() - tree.centre;
+    const Vec3 c = tree.positions.row(tree.triangles(t, 2)).transpose() - tree.centre;
+    const Vec3 edge_1 = b - a, edge_2 = c - a;
+    const Vec3 double_area_normal = edge_1.cross(edge_2);
+    const double double_area = double_area_normal.norm();
+    const Vec3 normal = double_area > 0.0 ? Vec3(double_area_normal / double_area) : Vec3(Vec3::Zero());
+    tree.normals[t] = normal;
+    for (int axis = 0; axis < 3; ++axis) {
+      leaf.corner[axis][k] = static_cast<float>(a[axis]);
+      leaf.edge_1[axis][k] = static_cast<float>(edge_1[axis]);
+      leaf.edge_2[axis][k] = static_cast<float>(edge_2[axis]);
+      leaf.normal[axis][k] = static_cast<float>(normal[axis]);
+    }
+    leaf.double_area[k] = static_cast<float>(double_area);
+    leaf.inverse_square[0][k] = inverseSquare(edge_1);
+    leaf.inverse_square[1][k] = inverseSquare(edge_2);
+    leaf.inverse_square[2][k] = inverseSquare(edge_2 - edge_1);
+    box.extend(a).extend(b).extend(c);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    leaf.box.low[axis] = static_cast<float>(box.min()[axis]);
+    leaf.box.high[axis] = static_cast<float>(box.max()[axis]);
+  }
+}
+
+FloatBox boxOf(const TriangleTree::Data& tree, int child) {
+  if (child < 0) return tree.leaves[~child].box;
+  const TreeNode& node = tree.nodes[child];
+  FloatBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.low[axis] = *std::min_element(node.low[axis].begin(), node.low[axis].end());
+    box.high[axis] = *std::max_element(node.high[axis].begin(), node.high[axis].end());
+  }
+  return box;
+}
+
+void refitNodes(TriangleTree::Data& tree) {
+  for (int i = static_cast<int>(tree.nodes.size()) - 1; i >= 0; --i) {
+    TreeNode& node = tree.nodes[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      node.low[axis].fill(kMissing);
+      node.high[axis].fill(-kMissing);
+    }
+    for (int k = 0; k < node.children; ++k) {
+      const FloatBox box = boxOf(tree, node.child[k]);
+      for (int axis = 0; axis < 3; ++axis) {
+        node.low[axis][k] = box.low[axis];
+        node.high[axis][k] = box.high[axis];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TriangleTree::TriangleTree(const Positions& positions, const Triangles& triangles) : data_(std::make_unique<Data>()) {
+  data_->triangles = triangles;
+  data_->positions = positions;
+  data_->normals.resize(triangles.rows());
+  collectFans(*data_);
+  collectNeighbours(*data_);
+  buildNodes(*data_);
+  refit(positions);
+}
+
+TriangleTree::~TriangleTree() = default;
+TriangleTree::TriangleTree(TriangleTree&&) noexcept = default;
+TriangleTree& TriangleTree::operator=(TriangleTree&&) noexcept = default;
+
+void TriangleTree::refit(const Positions& positions) {
+  Data& tree = *data_;
+  tree.positions = positions;
+  const Eigen::AlignedBox3d box = bounds();
+  if (!box.isEmpty()) {
+    tree.centre = box.center();
+    // A coordinate rounds by at most 6e-8 of itself; the sums of products that are compared carry a dozen such errors.
+    tree.slack = static_cast<float>(1e-6 * 0.5 * box.sizes().maxCoeff());
+  }
+  parallelFor(static_cast<int>(tree.leaves.size()), 128, [&](int l) { refitLeaf(tree, tree.leaves[l]); });
+  refitNodes(tree);
+}
+
+Eigen::AlignedBox3d TriangleTree::bounds() const {
+  Eigen::AlignedBox3d box;
+  for (Eigen::Index v = 0; v < data_->positions.rows(); ++v) box.extend(data_->positions.row(v).transpose());
+  return box;
+}
+
+FloatBox TriangleTree::Data::relative(const Eigen::AlignedBox3d& box) const {
+  const Eigen::Vector3f low = (box.min() - centre).cast<float>(), high = (box.max() - centre).cast<float>();
+  return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+}
+
+}  // namespace ease

@@ -1,0 +1,135 @@
+#include "garment/builtin_garment.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <vector>
+
+#include "collision/iso_surface.h"
+#include "collision/mannequin_shape.h"
+#include "garment/garment_fit.h"
+#include "garment/plane_cut.h"
+#include "garment/remesh.h"
+#include "solver/mesh/error.h"
+
+namespace ease {
+namespace {
+
+constexpr int kFewest = 300, kMost = 100000;  // vertices
+constexpr double kWidestOffset = 0.05;        // m
+constexpr double kTolerance = 0.025;          // of the number of vertices
+constexpr double kBeyondCut = 0.025;          // m: the uncut surface ends this far behind the planes
+
+/// A garment's shape: what is added to the body, and where it is cut.
+struct Pattern {
+  Limb filler;        // bridges the hollow of the back, or makes the skirt
+  double blend;       // m
+  double hem;         // y, m
+  Vec3 lower, upper;  // corners of a box that holds the garment, m
+};
+
+constexpr double kArmHeight = 1.385, kSleeve = 0.30;                                  // |x| of the sleeves' ends, m
+constexpr double kEaseAtShoulder = 0.006, kEaseAtHem = 0.014, kEaseAtSleeve = 0.010;  // m beyond the offset
+
+Pattern findPattern(const std::string& name) {
+  const Vec3 deep = Vec3::UnitZ();
+  if (name == "t-shirt")
+    return {taperedLimb({0, 0.98, 0.002}, {0, 1.20, 0.002}, 0.140, 0.130, deep, 0.72),
+            0.05,
+            0.86,
+            {-0.44, 0.80, -0.32},
+            {0.44, 1.64, 0.32}};
+  if (name == "dress")
+    return {taperedLimb({0, 1.08, 0.002}, {0, 0.38, 0.0}, 0.126, 0.300, deep, 0.80),
+            0.05,
+            0.50,
+            {-0.44, 0.44, -0.38},
+            {0.44, 1.64, 0.38}};
+  throw InputError(fmt::format("there is no built-in garment \"{}\"; there are \"t-shirt\" and \"dress\"", name));
+}
+
+/// Neck, sleeves, hem.  The neck's plane leans forward and rises with the offset, to pass above the shoulders; the
+/// sleeves' lean outwards as they go down, to pass beside a skirt.
+std::vector<Plane> cutsOf(const Pattern& pattern, double offset) {
+  constexpr double kLean = 0.25;
+  return {{{0.0, 1.47 + offset, 0.0}, Vec3(0.0, 0.90, 0.44).normalized()},
+          {{kSleeve, kArmHeight, 0.0}, Vec3(1.0, kLean, 0.0).normalized()},
+          {{-kSleeve, kArmHeight, 0.0}, Vec3(-1.0, kLean, 0.0).normalized()},
+          {{0.0, pattern.hem, 0.0}, -Vec3::UnitY()}};
+}
+
+/// How much looser than the offset the garment is at `x`, m: least at the shoulders, most at hem and sleeves.
+double easeAt(const Pattern& pattern, const Vec3& x) {
+  constexpr double kShoulderWidth = 0.17;
+  const double down = std::clamp((kArmHeight - x.y()) / (kArmHeight - pattern.hem), 0.0, 1.0);
+  const double out = std::clamp((std::abs(x.x()) - kShoulderWidth) / (kSleeve - kShoulderWidth), 0.0, 1.0);
+  return kEaseAtShoulder + down * (kEaseAtHem - kEaseAtShoulder) + out * (kEaseAtSleeve - kEaseAtShoulder);
+}
+
+/// The garment as a closed shape, not yet cut.
+DistanceField garmentField(const Pattern& pattern, double offset) {
+  return [=](const Vec3& x) {
+    Distance shape = smoothUnion(mannequinDistance(x), limbDistance(pattern.filler, x), pattern.blend);
+    shape.value -= offset + easeAt(pattern, x);
+    return shape;
+  };
+}
+
+TriangleMesh cutGarment(const DistanceField& field, const Pattern& pattern, const std::vector<Plane>& cuts,
+                        double voxel) {
+  const DistanceField ended = [&](const Vec3& x) {
+    Distance shape = field(x);
+    for (const Plane& cut : cuts)
+      shape = smoothIntersection(shape, {planeDistance(cut, x) - kBeyondCut, cut.normal}, 0.0);
+    return shape;
+  };
+  TriangleMesh mesh = isoSurface(ended, pattern.lower, pattern.upper, voxel);
+  for (const Plane& cut : cuts) mesh = cutByPlane(mesh, cut, 0.25 * voxel);
+  return mesh;
+}
+
+double area(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  for (int t = 0; t < mesh.triangles.rows(); ++t) sum += triangleArea(mesh.positions, mesh.triangles, t);
+  return sum;
+}
+
+/// Remeshes to the number of vertices, correcting the edge length by the number that came out.
+TriangleMesh remeshedTo(const TriangleMesh& mesh, double edge, int vertices, const std::string& name) {
+  constexpr int kTrials = 12;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const TriangleMesh result = remeshed(mesh, edge);
+    const double ratio = static_cast<double>(result.positions.rows()) / vertices;
+    if (std::abs(ratio - 1.0) <= kTolerance) return result;
+    edge *= std::sqrt(ratio);
+  }
+  throw ComputationError(fmt::format("built-in garment \"{}\": no mesh within {:.1f} % of {} vertices in {} trials",
+                                     name, 100.0 * kTolerance, vertices, kTrials));
+}
+
+}  // namespace
+
+TriangleMesh builtinGarment(const std::string& name, int vertices, double offset) {
+  const Pattern pattern = findPattern(name);
+  if (vertices < kFewest || vertices > kMost)
+    throw InputError(
+        fmt::format("built-in garment \"{}\": vertices = {}, expected {} to {}", name, vertices, kFewest, kMost));
+  if (!(offset >= 0.0 && offset <= kWidestOffset))
+    throw InputError(
+        fmt::format("built-in garment \"{}\": offset = {} m, expected 0 to {} m", name, offset, kWidestOffset));
+
+  const DistanceField field = garmentField(pattern, offset);
+  const std::vector<Plane> cuts = cutsOf(pattern, offset);
+  const double rough_edge = std::sqrt(1.0 / vertices);  // m: of about a square metre
+  const TriangleMesh uniform = cutGarment(field, pattern, cuts, std::clamp(rough_edge, 0.006, 0.016));
+  // An equilateral mesh has area / (sqrt(3)/2 edge^2) vertices; the remesher makes about this many times as many.
+  constexpr double kSurplus = 1.22;
+  const double edge = std::sqrt(kSurplus * area(uniform) / (0.5 * std::sqrt(3.0) * vertices));
+  TriangleMesh garment = remeshedTo(uniform, edge, vertices, name);
+  settleOnSurface(field, cuts, garment);
+  keepClear(mannequinDistance, cuts, offset, garment);
+  return garment;
+}
+
+}  // namespace ease

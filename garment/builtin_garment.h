@@ -1,0 +1,18 @@
+// Garments for the built-in body, made on its T-pose.
+//
+// A garment is the surface at a little distance from the body, more at its hem and sleeves, with hollows bridged; the
+// dress widens into a skirt.  Planes cut it at neck, sleeves and hem, then it is remeshed evenly.
+#pragma once
+
+#include <string>
+
+#include "solver/mesh/triangle_mesh.h"
+
+namespace ease {
+
+/// "t-shirt" or "dress" with about `vertices` vertices (within 3 %; 300 to 100,000), evenly sized triangles, four
+/// boundary loops that lie in planes.  Every vertex, edge midpoint and centroid is at least `offset` (m, 0 to 0.05)
+/// outside the mannequin's T-pose.  Throws InputError naming an unknown garment or an impossible number.
+TriangleMesh builtinGarment(const std::string& name, int vertices, double offset);
+
+}  // namespace ease

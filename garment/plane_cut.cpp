@@ -1,0 +1,84 @@
+#include "garment/plane_cut.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace ease {
+namespace {
+
+/// Vertices of the cut mesh: those that are kept, and new ones where edges cross the plane.
+struct CutVertices {
+  std::vector<Vec3> positions;
+  std::vector<double> distances;                  // to the plane; 0: on it
+  std::map<std::array<int, 2>, int> crossing_of;  // by the ends of the edge, the smaller first
+
+  int crossing(int a, int b) {
+    const std::array<int, 2> edge = {std::min(a, b), std::max(a, b)};
+    const auto [found, is_new] = crossing_of.try_emplace(edge, static_cast<int>(positions.size()));
+    if (is_new) {
+      const double t = distances[edge[0]] / (distances[edge[0]] - distances[edge[1]]);
+      positions.push_back((1.0 - t) * positions[edge[0]] + t * positions[edge[1]]);
+      distances.push_back(0.0);
+    }
+    return found->second;
+  }
+};
+
+/// The part of a triangle behind the plane: three or four corners, or none.
+std::vector<int> cutTriangle(const std::array<int, 3>& corners, CutVertices& vertices) {
+  std::vector<int> polygon;
+  bool is_behind = false;
+  for (int k = 0; k < 3; ++k) {
+    const int here = corners[k], next = corners[(k + 1) % 3];
+    const double d = vertices.distances[here], d_next = vertices.distances[next];
+    if (d <= 0.0) polygon.push_back(here);
+    if (d * d_next < 0.0) polygon.push_back(vertices.crossing(here, next));
+    is_behind = is_behind || d < 0.0;
+  }
+  if (!is_behind) polygon.clear();
+  return polygon;
+}
+
+TriangleMesh withoutUnusedVertices(const std::vector<Vec3>& positions,
+                                   const std::vector<std::array<int, 3>>& triangles) {
+  std::vector<int> number(positions.size(), -1);
+  std::vector<int> used;
+  TriangleMesh mesh;
+  mesh.triangles.resize(triangles.size(), 3);
+  for (size_t t = 0; t < triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      int& n = number[triangles[t][k]];
+      if (n < 0) {
+        n = static_cast<int>(used.size());
+        used.push_back(triangles[t][k]);
+      }
+      mesh.triangles(t, k) = n;
+    }
+  mesh.positions.resize(used.size(), 3);
+  for (size_t v = 0; v < used.size(); ++v) mesh.positions.row(v) = positions[used[v]];
+  return mesh;
+}
+
+}  // namespace
+
+TriangleMesh cutByPlane(const TriangleMesh& mesh, const Plane& plane, double snap) {
+  CutVertices vertices;
+  for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) {
+    const Vec3 x = mesh.positions.row(v);
+    const double d = planeDistance(plane, x);
+    const bool is_near = std::abs(d) < snap;
+    vertices.positions.push_back(is_near ? Vec3(x - d * plane.normal) : x);
+    vertices.distances.push_back(is_near ? 0.0 : d);
+  }
+  std::vector<std::array<int, 3>> kept;
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    const std::array<int, 3> corners = {mesh.triangles(t, 0), mesh.triangles(t, 1), mesh.triangles(t, 2)};
+    const std::vector<int> polygon = cutTriangle(corners, vertices);
+    for (size_t k = 2; k < polygon.size(); ++k) kept.push_back({polygon[0], polygon[k - 1], polygon[k]});
+  }
+  return withoutUnusedVertices(vertices.positions, kept);
+}
+
+}  // namespace ease

@@ -1,0 +1,25 @@
+// Cutting a triangle mesh with a plane.
+//
+//      \   /\   /           the triangles that cross the plane are cut along it, those beyond it go
+//     --\-/--\-/--  plane   vertices nearly on the plane are moved onto it, so that no slivers arise
+//        v    v
+#pragma once
+
+#include "solver/mesh/triangle_mesh.h"
+
+namespace ease {
+
+struct Plane {
+  Vec3 point;   // m
+  Vec3 normal;  // unit; points to what goes
+};
+
+/// Signed distance to the plane, m, positive on the side that goes.
+inline double planeDistance(const Plane& plane, const Vec3& x) {
+  return plane.normal.dot(x - plane.point);
+}
+
+/// What lies behind the plane.  Vertices within `snap` (m) of the plane are moved onto it.
+TriangleMesh cutByPlane(const TriangleMesh& mesh, const Plane& plane, double snap);
+
+}  // namespace ease

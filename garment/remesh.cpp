@@ -1,0 +1,100 @@
+#include "garment/remesh.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+namespace ease {
+namespace {
+
+namespace processing = CGAL::Polygon_mesh_processing;
+
+using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using SurfaceMesh = CGAL::Surface_mesh<Point>;
+
+constexpr int kIterations = 4;
+constexpr int kFewestInLoop = 8;  // boundary vertices: fewer cannot pass around an arm
+
+SurfaceMesh toSurfaceMesh(const TriangleMesh& mesh) {
+  SurfaceMesh surface;
+  std::vector<SurfaceMesh::Vertex_index> vertices;
+  for (const auto& x : mesh.positions.rowwise()) vertices.push_back(surface.add_vertex(Point(x[0], x[1], x[2])));
+  for (const auto& t : mesh.triangles.rowwise()) surface.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+  return surface;
+}
+
+TriangleMesh fromSurfaceMesh(SurfaceMesh& surface) {
+  surface.collect_garbage();
+  TriangleMesh mesh;
+  mesh.positions.resize(surface.number_of_vertices(), 3);
+  for (const auto v : surface.vertices()) {
+    const Point& x = surface.point(v);
+    mesh.positions.row(v.idx()) << x.x(), x.y(), x.z();
+  }
+  mesh.triangles.resize(surface.number_of_faces(), 3);
+  for (const auto f : surface.faces()) {
+    int corner = 0;
+    for (const auto v : surface.vertices_around_face(surface.halfedge(f)))
+      mesh.triangles(f.idx(), corner++) = static_cast<int>(v.idx());
+  }
+  return mesh;
+}
+
+/// Splits the boundary finely, so that vertices may be kept anywhere on it.
+void splitBoundary(SurfaceMesh& surface, double edge_length) {
+  std::vector<SurfaceMesh::Edge_index> boundary;
+  for (const auto e : surface.edges())
+    if (surface.is_border(e)) boundary.push_back(e);
+  processing::split_long_edges(boundary, edge_length, surface);
+}
+
+/// Thins the boundary loop of `start` to vertices about `edge_length` apart, at least kFewestInLoop: the vertices
+/// between two that stay are merged into the first of them.
+void thinLoop(SurfaceMesh& surface, SurfaceMesh::Halfedge_index start, double edge_length) {
+  std::vector<SurfaceMesh::Vertex_index> loop;
+  std::vector<double> place;  // along the loop, m
+  double length = 0.0;
+  for (const auto h : surface.halfedges_around_face(start)) {
+    loop.push_back(surface.source(h));
+    place.push_back(length);
+    length += std::sqrt(CGAL::squared_distance(surface.point(surface.source(h)), surface.point(surface.target(h))));
+  }
+  const double step = length / std::max<double>(kFewestInLoop, std::round(length / edge_length));
+
+  auto kept = loop[0];
+  for (size_t i = 1; i < loop.size(); ++i) {
+    const bool stays = std::floor(place[i] / step) > std::floor(place[i - 1] / step);
+    const auto between = surface.halfedge(kept, loop[i]);
+    if (stays || !between.is_valid() || !CGAL::Euler::does_satisfy_link_condition(surface.edge(between), surface)) {
+      kept = loop[i];
+      continue;
+    }
+    const Point point = surface.point(kept);
+    kept = CGAL::Euler::collapse_edge(surface.edge(between), surface);
+    surface.point(kept) = point;
+  }
+}
+
+}  // namespace
+
+TriangleMesh remeshed(const TriangleMesh& mesh, double edge_length) {
+  SurfaceMesh surface = toSurfaceMesh(mesh);
+  splitBoundary(surface, 0.2 * edge_length);
+  std::vector<SurfaceMesh::Halfedge_index> loops;
+  processing::extract_boundary_cycles(surface, std::back_inserter(loops));
+  for (const auto start : loops) thinLoop(surface, start, edge_length);
+  processing::isotropic_remeshing(surface.faces(), edge_length, surface,
+                                  processing::parameters::number_of_iterations(kIterations)
+                                      .number_of_relaxation_steps(2)
+                                      .protect_constraints(true));
+  return fromSurfaceMesh(surface);
+}
+
+}  // namespace ease

@@ -1,0 +1,13 @@
+// Isotropic remeshing: the same surface with triangles of nearly one size (Botsch and Kobbelt 2004, as implemented in
+// CGAL's Polygon Mesh Processing).
+#pragma once
+
+#include "solver/mesh/triangle_mesh.h"
+
+namespace ease {
+
+/// `mesh` with edges of about `edge_length` (m).  The boundary is resampled first, its vertices on the old boundary, at
+/// least eight to a loop.
+TriangleMesh remeshed(const TriangleMesh& mesh, double edge_length);
+
+}  // namespace ease

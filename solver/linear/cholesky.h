@@ -1,0 +1,49 @@
+// Sparse Cholesky factorisation P A Pᵀ = L Lᵀ over CHOLMOD (Chen et al. 2008).
+//
+//   A   symmetric positive definite, given by its lower triangle, compressed columns
+//   P   ordering that keeps L sparse: found once for a pattern, reused for every set of values
+//
+// Simplicial factors are the faster ones for the n x n systems of a mesh's first ring, which are solved often;
+// supernodal ones for systems of 3 x 3 blocks.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace ease {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;  // compressed columns; ours hold the lower triangle
+
+class Cholesky {
+ public:
+  enum class Kind { kSimplicial, kSupernodal };
+
+  explicit Cholesky(Kind kind);
+  ~Cholesky();
+  Cholesky(Cholesky&&) noexcept;
+  Cholesky& operator=(Cholesky&&) noexcept;
+
+  /// Orders and analyses the pattern of `lower`.  An ordering given (row that comes k-th) is used as it is.
+  void analyse(const SparseMatrix& lower, std::span<const int> ordering = {});
+
+  /// Factors values on the analysed pattern.  False where the matrix is not positive definite: no factor then.
+  [[nodiscard]] bool factor(const SparseMatrix& lower);
+  bool isFactored() const;
+
+  /// Solves A x = b for `columns` right-hand sides, each of n values, one after the other.  b and x may be the same.
+  void solve(const double* b, double* x, int columns) const;
+
+  /// The ordering in use: row that comes k-th.
+  std::vector<int> ordering() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+/// An ordering of n vertices lifted to their 3n coordinates, three together.
+std::vector<int> liftOrdering(std::span<const int> ordering);
+
+}  // namespace ease

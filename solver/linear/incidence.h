@@ -1,0 +1,33 @@
+// Which elements touch a vertex: lets a loop over vertices gather what elements computed, without write conflicts and
+// in a fixed order.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace ease {
+
+/// For each vertex the (element, corner) pairs that name it, coded as element * corners + corner, ascending.
+class Incidence {
+ public:
+  /// `element_vertices`: `corners` vertex indices an element; negative ones are no vertex.
+  Incidence(int vertices, std::span<const int> element_vertices) : start_(vertices + 1, 0) {
+    for (int v : element_vertices)
+      if (v >= 0) ++start_[v + 1];
+    for (int v = 0; v < vertices; ++v) start_[v + 1] += start_[v];
+    entries_.resize(start_[vertices]);
+    std::vector<int> next(start_.begin(), start_.end() - 1);
+    for (int k = 0; k < static_cast<int>(element_vertices.size()); ++k)
+      if (element_vertices[k] >= 0) entries_[next[element_vertices[k]]++] = k;
+  }
+
+  std::span<const int> of(int vertex) const {
+    return {entries_.data() + start_[vertex], entries_.data() + start_[vertex + 1]};
+  }
+
+ private:
+  std::vector<int> start_;
+  std::vector<int> entries_;
+};
+
+}  // namespace ease

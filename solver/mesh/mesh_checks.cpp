@@ -1,0 +1,153 @@
+#include "solver/mesh/mesh_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "solver/mesh/error.h"
+
+namespace ease {
+namespace {
+
+constexpr double kLeastRelativeArea = 1e-12;
+
+/// Triangle areas are compared to the squared diagonal of the box around all vertices, m^2.
+double squaredDiagonal(const Positions& positions) {
+  if (positions.rows() == 0) return 0.0;
+  return (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).squaredNorm();
+}
+
+std::vector<char> verticesUsed(const TriangleMesh& mesh) {
+  std::vector<char> used(mesh.positions.rows(), 0);
+  for (int t = 0; t < mesh.triangles.rows(); ++t) {
+    for (int k = 0; k < 3; ++k) used[mesh.triangles(t, k)] = 1;
+  }
+  return used;
+}
+
+std::string describe(const Triangles& triangles, int t) {
+  return fmt::format("({}, {}, {})", triangles(t, 0), triangles(t, 1), triangles(t, 2));
+}
+
+/// The same vertices in the same sense of rotation, whichever comes first.
+bool isSameTriangle(const Triangles& a, const Triangles& b, int t) {
+  for (int shift = 0; shift < 3; ++shift) {
+    bool same = true;
+    for (int k = 0; k < 3; ++k) same = same && a(t, k) == b(t, (k + shift) % 3);
+    if (same) return true;
+  }
+  return false;
+}
+
+/// For each vertex of `first` its counterpart in `other`, -1 without one; and the first triangle at which a vertex of
+/// either would need two counterparts, -1 if none does.
+struct Correspondence {
+  std::vector<int> other_of_first;
+  int failing_triangle = -1;
+};
+
+Correspondence correspondByOrder(const TriangleMesh& first, const TriangleMesh& other) {
+  Correspondence result{std::vector<int>(first.positions.rows(), -1)};
+  std::vector<int> first_of_other(other.positions.rows(), -1);
+  for (int t = 0; t < first.triangles.rows(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int i = first.triangles(t, k), j = other.triangles(t, k);
+      if (result.other_of_first[i] < 0) result.other_of_first[i] = j;
+      if (first_of_other[j] < 0) first_of_other[j] = i;
+      if (result.other_of_first[i] != j || first_of_other[j] != i) {
+        result.failing_triangle = t;
+        return result;
+      }
+    }
+  }
+  return result;
+}
+
+bool correspondsOneToOne(const TriangleMesh& first, const TriangleMesh& other) {
+  if (first.triangles.rows() != other.triangles.rows()) return false;
+  const Correspondence match = correspondByOrder(first, other);
+  return match.failing_triangle < 0 && std::ranges::none_of(match.other_of_first, [](int j) { return j < 0; });
+}
+
+void checkSameNumber(const char* what, Eigen::Index first, const std::string& first_name, Eigen::Index other,
+                     const std::string& other_name, const char* advice) {
+  if (first == other) return;
+  throw InputError(fmt::format("{}: has {} {}, but {} has {}{}", other_name, other, what, first_name, first, advice));
+}
+
+}  // namespace
+
+void checkFinite(const Positions& positions, const std::string& name) {
+  for (int i = 0; i < positions.rows(); ++i) {
+    if (positions.row(i).allFinite()) continue;
+    throw InputError(fmt::format("{}: vertex {} is ({}, {}, {}); expected finite coordinates", name, i, positions(i, 0),
+                                 positions(i, 1), positions(i, 2)));
+  }
+}
+
+void checkGeometry(const TriangleMesh& mesh, const std::string& name) {
+  checkFinite(mesh.positions, name);
+  const double least_area = kLeastRelativeArea * squaredDiagonal(mesh.positions);
+  for (int t = 0; t < mesh.triangles.rows(); ++t) {
+    const auto v = mesh.triangles.row(t);
+    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {
+      throw InputError(fmt::format("{}: triangle {} has a vertex twice: {}", name, t, describe(mesh.triangles, t)));
+    }
+    // Not "area < least": all vertices in one point make both sides zero.
+    const double area = triangleArea(mesh.positions, mesh.triangles, t);
+    if (!(area > least_area)) {
+      throw InputError(
+          fmt::format("{}: triangle {} of vertices {} is degenerate: area {:.3g} m^2, expected above {:.3g}", name, t,
+                      describe(mesh.triangles, t), area, least_area));
+    }
+  }
+}
+
+void checkVerticesUsed(const TriangleMesh& mesh, const std::string& name) {
+  const std::vector<char> used = verticesUsed(mesh);
+  const auto unused = std::ranges::find(used, 0);
+  if (unused != used.end()) {
+    throw InputError(fmt::format("{}: vertex {} belongs to no triangle", name, unused - used.begin()));
+  }
+}
+
+void checkSameTriangles(const TriangleMesh& first, const std::string& first_name, const TriangleMesh& other,
+                        const std::string& other_name) {
+  const char* advice = correspondsOneToOne(first, other)
+                           ? "; the triangles correspond one to one in their order: match = \"triangles\" would do"
+                           : "";
+  checkSameNumber("vertices", first.positions.rows(), first_name, other.positions.rows(), other_name, advice);
+  checkSameNumber("triangles", first.triangles.rows(), first_name, other.triangles.rows(), other_name, advice);
+  for (int t = 0; t < first.triangles.rows(); ++t) {
+    if (isSameTriangle(first.triangles, other.triangles, t)) continue;
+    throw InputError(fmt::format("{}: triangle {} has vertices {}, but in {} it has {}{}", other_name, t,
+                                 describe(other.triangles, t), first_name, describe(first.triangles, t), advice));
+  }
+}
+
+TriangleMesh matchByTriangles(const TriangleMesh& first, const std::string& first_name, const TriangleMesh& other,
+                              const std::string& other_name) {
+  checkSameNumber("triangles", first.triangles.rows(), first_name, other.triangles.rows(), other_name, "");
+  const Correspondence match = correspondByOrder(first, other);
+  if (match.failing_triangle >= 0) {
+    const int t = match.failing_triangle;
+    throw InputError(fmt::format(
+        "{}: does not match {} by the order of the triangles: at triangle {}, {} here and {} there, one vertex would "
+        "have to be two",
+        other_name, first_name, t, describe(other.triangles, t), describe(first.triangles, t)));
+  }
+  TriangleMesh renumbered{Positions(first.positions.rows(), 3), first.triangles};
+  for (int i = 0; i < first.positions.rows(); ++i) {
+    const int j = match.other_of_first[i];
+    if (j < 0) {
+      throw InputError(
+          fmt::format("{}: vertex {} belongs to no triangle, so that {} cannot be matched to it by its triangles",
+                      first_name, i, other_name));
+    }
+    renumbered.positions.row(i) = other.positions.row(j);
+  }
+  return renumbered;
+}
+
+}  // namespace ease

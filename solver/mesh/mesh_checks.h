@@ -1,0 +1,33 @@
+// What a mesh must hold before anything is computed with it.
+//
+// Vertices and triangles are counted from 0 in every message.
+#pragma once
+
+#include <string>
+
+#include "solver/mesh/triangle_mesh.h"
+
+namespace ease {
+
+/// Throws InputError naming the first vertex with a coordinate that is NaN or infinite.
+void checkFinite(const Positions& positions, const std::string& name);
+
+/// Throws InputError, naming `name`, the first vertex or triangle at fault and its value: NaN or infinite coordinates;
+/// a triangle with a repeated vertex or with an area below 1e-12 of the squared mesh diagonal.
+void checkGeometry(const TriangleMesh& mesh, const std::string& name);
+
+/// Throws InputError naming the first vertex that no triangle uses: in a garment it would have no mass.
+void checkVerticesUsed(const TriangleMesh& mesh, const std::string& name);
+
+/// Throws InputError where two poses have different numbers of vertices or triangles, or a triangle with other
+/// vertices, naming the first that differs; adds that `match = "triangles"` would do where the triangles correspond
+/// one to one in their order.
+void checkSameTriangles(const TriangleMesh& first, const std::string& first_name, const TriangleMesh& other,
+                        const std::string& other_name);
+
+/// Renumbers `other`'s vertices as in `first`, going by the order of the triangles.  Throws InputError where one vertex
+/// would have to be two, naming the triangle.
+TriangleMesh matchByTriangles(const TriangleMesh& first, const std::string& first_name, const TriangleMesh& other,
+                              const std::string& other_name);
+
+}  // namespace ease

@@ -1,0 +1,208 @@
+#include "solver/mesh/topology.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "solver/mesh/error.h"
+
+namespace ease {
+namespace {
+
+/// A loop named by where it is must lead the next one by this share of the mesh's diagonal.
+constexpr double kLeastLead = 0.01;
+
+/// One side of a triangle, from vertex `from` to `to` in the triangle's own order, opposite to its corner `corner`.
+struct Side {
+  int from, to, triangle, corner;
+  int low() const { return std::min(from, to); }
+  int high() const { return std::max(from, to); }
+};
+
+/// All sides, those of one edge next to each other, by triangle within.
+std::vector<Side> sortedSides(const Triangles& triangles) {
+  std::vector<std::pair<std::uint64_t, int>> order;  // both vertices as one key, 3 triangle + corner
+  order.reserve(3 * triangles.rows());
+  const auto side = [&](int s) {
+    return Side{triangles(s / 3, (s + 1) % 3), triangles(s / 3, (s + 2) % 3), s / 3, s % 3};
+  };
+  for (int s = 0; s < 3 * triangles.rows(); ++s) {
+    order.emplace_back(static_cast<std::uint64_t>(side(s).low()) << 32 | static_cast<std::uint64_t>(side(s).high()), s);
+  }
+  std::ranges::sort(order);
+  std::vector<Side> sides;
+  sides.reserve(order.size());
+  for (const auto& [key, s] : order) sides.push_back(side(s));
+  return sides;
+}
+
+void checkManifold(const Side* sides, std::size_t count, const std::string& name) {
+  const Side& first = sides[0];
+  if (first.from == first.to) {
+    throw InputError(fmt::format("{}: triangle {} has vertex {} twice", name, first.triangle, first.from));
+  }
+  if (count > 2) {
+    std::string triangles = fmt::format("{}", first.triangle);
+    for (std::size_t s = 1; s < count; ++s) triangles += fmt::format(", {}", sides[s].triangle);
+    throw InputError(fmt::format("{}: the edge of vertices {} and {} has {} triangles ({}); expected one or two", name,
+                                 first.low(), first.high(), count, triangles));
+  }
+  if (count == 2 && first.from == sides[1].from) {
+    throw InputError(
+        fmt::format("{}: triangles {} and {} are oriented against each other along the edge of vertices {} and {}",
+                    name, first.triangle, sides[1].triangle, first.low(), first.high()));
+  }
+}
+
+void buildEdges(const Triangles& triangles, const std::string& name, Topology& topology) {
+  const std::vector<Side> sides = sortedSides(triangles);
+  topology.triangle_edges.resize(triangles.rows(), 3);
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    while (end < sides.size() && sides[end].low() == sides[begin].low() && sides[end].high() == sides[begin].high()) {
+      ++end;
+    }
+    checkManifold(&sides[begin], end - begin, name);
+    Edge edge{{sides[begin].low(), sides[begin].high()}, {-1, -1}, {-1, -1}};
+    // The triangle that runs from the lower to the higher vertex comes first; a boundary edge has but one.
+    for (std::size_t s = begin; s < end; ++s) {
+      const int slot = end - begin == 2 && sides[s].from != edge.vertex[0] ? 1 : 0;
+      edge.triangle[slot] = sides[s].triangle;
+      edge.opposite[slot] = triangles(sides[s].triangle, sides[s].corner);
+      topology.triangle_edges(sides[s].triangle, sides[s].corner) = static_cast<int>(topology.edges.size());
+    }
+    topology.edges.push_back(edge);
+  }
+}
+
+int cornerOf(const Triangles& triangles, int t, int vertex) {
+  return triangles(t, 0) == vertex ? 0 : triangles(t, 1) == vertex ? 1 : 2;
+}
+
+/// Number of triangles met on turning about `vertex` from triangle `t`: over the edge opposite to corner + `side` (1 or
+/// 2) each time, up to the boundary or round to `t`.
+int trianglesAlong(const Triangles& triangles, const Topology& topology, int vertex, int t, int side, bool& closes) {
+  int count = 0;
+  for (int current = t;;) {
+    ++count;
+    const int corner = cornerOf(triangles, current, vertex);
+    const Edge& edge = topology.edges[topology.triangle_edges(current, (corner + side) % 3)];
+    const int next = edge.triangle[0] == current ? edge.triangle[1] : edge.triangle[0];
+    closes = next == t;
+    if (next < 0 || closes) return count;
+    current = next;
+  }
+}
+
+/// All triangles of a vertex must be one fan, closed or open, to be turned through without a jump.
+void checkFans(const TriangleMesh& mesh, const Topology& topology, const std::string& name) {
+  std::vector<int> triangle_count(mesh.positions.rows(), 0), any_triangle(mesh.positions.rows(), -1);
+  for (int t = 0; t < mesh.triangles.rows(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      ++triangle_count[mesh.triangles(t, k)];
+      any_triangle[mesh.triangles(t, k)] = t;
+    }
+  }
+  for (int vertex = 0; vertex < mesh.positions.rows(); ++vertex) {
+    const int t = any_triangle[vertex];
+    if (t < 0) continue;
+    bool closes = false;
+    int reached = trianglesAlong(mesh.triangles, topology, vertex, t, 1, closes);
+    if (!closes) reached += trianglesAlong(mesh.triangles, topology, vertex, t, 2, closes) - 1;
+    if (reached != triangle_count[vertex]) {
+      throw InputError(fmt::format("{}: vertex {} joins two fans of triangles that share no edge there", name, vertex));
+    }
+  }
+}
+
+double loopLength(const Positions& positions, const std::vector<int>& loop) {
+  double length = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    length += (positions.row(loop[(k + 1) % loop.size()]) - positions.row(loop[k])).norm();
+  }
+  return length;
+}
+
+/// Follows the boundary as its triangles run.  Where every vertex has one fan, one boundary edge leaves it at most.
+std::vector<std::vector<int>> followBoundary(const TriangleMesh& mesh, const Topology& topology) {
+  std::vector<int> next(mesh.positions.rows(), -1);
+  for (const Edge& edge : topology.edges) {
+    if (!edge.isBoundary()) continue;
+    const int t = edge.triangle[0], corner = cornerOf(mesh.triangles, t, edge.opposite[0]);
+    next[mesh.triangles(t, (corner + 1) % 3)] = mesh.triangles(t, (corner + 2) % 3);
+  }
+  std::vector<std::vector<int>> loops;
+  for (int start = 0; start < mesh.positions.rows(); ++start) {
+    if (next[start] < 0) continue;
+    std::vector<int>& loop = loops.emplace_back();
+    for (int vertex = start; next[vertex] >= 0;) {
+      loop.push_back(vertex);
+      vertex = std::exchange(next[vertex], -1);
+    }
+  }
+  std::vector<std::pair<double, int>> order;  // longest first, by lowest vertex where equal
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    order.emplace_back(-loopLength(mesh.positions, loops[l]), static_cast<int>(l));
+  }
+  std::ranges::sort(order);
+  std::vector<std::vector<int>> sorted;
+  sorted.reserve(loops.size());
+  for (const auto& [negative_length, l] : order) sorted.push_back(std::move(loops[l]));
+  return sorted;
+}
+
+Vec3 meanOf(const Positions& positions, const std::vector<int>& loop) {
+  Vec3 sum = Vec3::Zero();
+  for (int vertex : loop) sum += positions.row(vertex).transpose();
+  return sum / static_cast<double>(loop.size());
+}
+
+std::string describeLoops(const Topology& topology, const Positions& positions) {
+  if (topology.boundary_loops.empty()) return "the mesh has no boundary loop";
+  std::string text = "the boundary loops are";
+  for (std::size_t l = 0; l < topology.boundary_loops.size(); ++l) {
+    const Vec3 mean = meanOf(positions, topology.boundary_loops[l]);
+    text += fmt::format("{} {} ({} vertices about ({:.3f}, {:.3f}, {:.3f}))", l == 0 ? "" : ",", l,
+                        topology.boundary_loops[l].size(), mean.x(), mean.y(), mean.z());
+  }
+  return text;
+}
+
+}  // namespace
+
+Topology buildTopology(const TriangleMesh& mesh, const std::string& name) {
+  Topology topology;
+  buildEdges(mesh.triangles, name, topology);
+  checkFans(mesh, topology, name);
+  topology.boundary_loops = followBoundary(mesh, topology);
+  return topology;
+}
+
+const std::vector<int>& findLoop(const Topology& topology, const Positions& positions, const std::string& where) {
+  const std::vector<std::vector<int>>& loops = topology.boundary_loops;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    if (where == fmt::format("{}", l)) return loops[l];
+  }
+  Vec3 direction = Vec3::Zero();
+  if (where == "top") direction = Vec3::UnitY();
+  if (where == "bottom") direction = -Vec3::UnitY();
+  if (where == "left") direction = Vec3::UnitX();
+  if (where == "right") direction = -Vec3::UnitX();
+  if (direction.isZero() || loops.empty()) {
+    throw InputError(
+        fmt::format("no boundary loop \"{}\": expected \"top\", \"bottom\", \"left\", \"right\" or an index; {}", where,
+                    describeLoops(topology, positions)));
+  }
+  std::vector<std::pair<double, std::size_t>> reach;  // along the direction, m; furthest first
+  for (std::size_t l = 0; l < loops.size(); ++l) reach.emplace_back(-meanOf(positions, loops[l]).dot(direction), l);
+  std::ranges::sort(reach);
+  const double size = (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+  if (loops.size() > 1 && reach[1].first - reach[0].first < kLeastLead * size) {
+    throw InputError(fmt::format("boundary loop \"{}\" is ambiguous: loops {} and {} lie equally far; {}", where,
+                                 reach[0].second, reach[1].second, describeLoops(topology, positions)));
+  }
+  return loops[reach[0].second];
+}
+
+}  // namespace ease

@@ -1,0 +1,43 @@
+// Edges, interior hinges and boundary loops of a triangle mesh.
+//
+//        opposite[0]
+//           /  \          an edge (a, b) with a < b; `triangle[0]` holds a -> b in its own order where the mesh is
+//          / t0 \         consistently oriented, `triangle[1]` holds b -> a
+//         a------b
+//          \ t1 /         on the boundary triangle[1] = opposite[1] = -1
+//           \  /
+//        opposite[1]
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "solver/mesh/triangle_mesh.h"
+
+namespace ease {
+
+struct Edge {
+  std::array<int, 2> vertex;
+  std::array<int, 2> triangle;
+  std::array<int, 2> opposite;
+  bool isBoundary() const { return triangle[1] < 0; }
+};
+
+struct Topology {
+  std::vector<Edge> edges;                                                // sorted by (vertex[0], vertex[1])
+  Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor> triangle_edges;  // edge opposite to each corner
+  std::vector<std::vector<int>> boundary_loops;  // vertices in order along the boundary, longest loop (m) first
+};
+
+/// Throws InputError, naming `name` and the edge's vertices, where an edge has more than two triangles, where two
+/// neighbours are oriented against each other, or where a vertex joins two fans.  Vertices without triangles are
+/// allowed.
+Topology buildTopology(const TriangleMesh& mesh, const std::string& name);
+
+/// The loop that lies furthest along a direction by the mean of its vertices ("top" +y, "bottom" -y, "left" +x of the
+/// wearer who faces +z, "right" -x), or by its index ("0", "1", ...).  Throws InputError naming the loops that exist,
+/// also where two lie equally far, within 1 % of the mesh's diagonal.
+const std::vector<int>& findLoop(const Topology& topology, const Positions& positions, const std::string& where);
+
+}  // namespace ease

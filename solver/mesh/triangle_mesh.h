@@ -1,0 +1,31 @@
+// Triangle mesh as flat arrays: one row a vertex (m), one row a triangle (vertex indices, counter-clockwise from
+// outside).
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace ease {
+
+using Vec3 = Eigen::Vector3d;
+using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  // n x 3, m
+using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;     // m x 3
+
+struct TriangleMesh {
+  Positions positions;
+  Triangles triangles;
+};
+
+/// Twice the area of triangle (a, b, c) times its unit normal, m^2.
+inline Vec3 doubleAreaNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b - a).cross(c - a);
+}
+
+/// Area of triangle `t`, m^2.
+inline double triangleArea(const Positions& positions, const Triangles& triangles, int t) {
+  const Vec3 a = positions.row(triangles(t, 0)), b = positions.row(triangles(t, 1)), c = positions.row(triangles(t, 2));
+  return 0.5 * doubleAreaNormal(a, b, c).norm();
+}
+
+}  // namespace ease

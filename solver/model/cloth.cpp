@@ -1,0 +1,62 @@
+#include "solver/model/cloth.h"
+
+namespace ease {
+
+namespace {
+
+// Flat edges of triangle t from its corner `corner` on: [next - corner, after next - corner].
+Mat2 edgesFrom(const Mat2& rest_edges, int corner) {
+  Eigen::Matrix<double, 2, 3> p;
+  p << Eigen::Vector2d::Zero(), rest_edges;
+  Mat2 edges;
+  edges.col(0) = p.col((corner + 1) % 3) - p.col(corner);
+  edges.col(1) = p.col((corner + 2) % 3) - p.col(corner);
+  return edges;
+}
+
+int cornerOf(const Triangles& triangles, int t, int vertex) {
+  return triangles(t, 0) == vertex ? 0 : triangles(t, 1) == vertex ? 1 : 2;
+}
+
+}  // namespace
+
+Cloth::Cloth(const TriangleMesh& mesh, const Vec3& grain, const Material& material)
+    : triangles_(mesh.triangles), topology_(buildTopology(mesh, "garment")), material_(material), density_(1.0) {
+  std::vector<Mat2> rest_edges(triangles_.rows());
+  double area = 0.0;
+  for (int t = 0; t < triangles_.rows(); ++t) {
+    const Mat32 edges = edgeMatrix(mesh.positions, triangles_, t);
+    rest_edges[t] = planeFrame(edges, grain).transpose() * edges;
+    area += 0.5 * rest_edges[t].determinant();
+  }
+  density_ = material.total_mass ? *material.total_mass / area : material.density;
+  setRest(mesh.positions, rest_edges);
+}
+
+void Cloth::setRest(const Positions& rest_positions, const std::vector<Mat2>& rest_edges) {
+  rest_positions_ = rest_positions;
+  rest_edges_ = rest_edges;
+  rest_inverse_.resize(rest_edges.size());
+  rest_areas_.resize(rest_edges.size());
+  vertex_areas_.assign(vertexCount(), 0.0);
+  for (int t = 0; t < triangleCount(); ++t) {
+    rest_inverse_[t] = rest_edges[t].inverse();
+    rest_areas_[t] = 0.5 * rest_edges[t].determinant();
+    for (int a = 0; a < 3; ++a) vertex_areas_[triangles_(t, a)] += rest_areas_[t] / 3.0;
+  }
+  masses_.resize(vertexCount());
+  for (int i = 0; i < vertexCount(); ++i) masses_[i] = density_ * vertex_areas_[i];
+
+  if (material_.bending <= 0.0 && material_.damping_bending <= 0.0) return;
+  hinges_.clear();
+  for (const Edge& edge : topology_.edges) {
+    if (edge.isBoundary()) continue;
+    const auto [x0, x1] = edge.vertex;
+    const auto [t0, t1] = edge.triangle;
+    hinges_.push_back(makeHinge({x0, x1, edge.opposite[0], edge.opposite[1]},
+                                edgesFrom(rest_edges_[t0], cornerOf(triangles_, t0, x0)),
+                                edgesFrom(rest_edges_[t1], cornerOf(triangles_, t1, x1))));
+  }
+}
+
+}  // namespace ease

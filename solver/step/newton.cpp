@@ -1,0 +1,65 @@
+#include "solver/step/newton.h"
+
+#include <fmt/format.h>
+
+#include "solver/mesh/error.h"
+
+namespace ease {
+
+namespace {
+
+constexpr double kLinearTolerance = 1e-2;   // of a Newton correction: well below the error of stopping after one
+constexpr int kMostHalvings = 10;
+
+}  // namespace
+
+NewtonStep::NewtonStep(const Cloth& cloth)
+    : potential_(cloth),
+      hessian_(cloth.vertexCount(), cloth.topology().edges),
+      system_(hessian_),
+      fixed_(cloth.vertexCount(), 0),
+      gradient_(cloth.vertexCount(), 3) {}
+
+void NewtonStep::holdPins(const Pins& pins, Positions& x) {
+  std::vector<char> fixed(fixed_.size(), 0);
+  for (size_t k = 0; k < pins.vertices.size(); ++k) {
+    fixed[pins.vertices[k]] = 1;
+    x.row(pins.vertices[k]) = pins.positions[k];
+  }
+  if (fixed != fixed_) system_.forgetFactor();
+  fixed_.swap(fixed);
+}
+
+StepSummary NewtonStep::step(State& state, const StepOptions& options, const Pins& pins,
+                             const FindContacts& find_contacts) {
+  StepSummary summary;
+  potential_.begin(state, options);
+  x_ = state.positions + options.h * state.velocities;
+  holdPins(pins, x_);
+  find_contacts(x_, contacts_);
+  potential_.setContacts(contacts_);
+
+  potential_.gradient(x_, gradient_);
+  potential_.hessian(x_, hessian_);
+  potential_.prepareBending(x_);
+  const SolveSummary solve = system_.solve(
+      hessian_, [&](const Positions& d, Positions& product) { potential_.addBending(d, product); }, fixed_, -gradient_,
+      kLinearTolerance, direction_);
+  summary.newton_iterations = 1;
+  summary.cg_iterations = solve.iterations;
+  summary.factorisations = solve.factorisations;
+  if (!solve.ok) throw ComputationError("the linear system of the step is not positive definite");
+
+  const double before = potential_.value(x_);
+  double scale = 1.0;
+  for (trial_ = x_ + direction_; !(potential_.value(trial_) <= before); trial_ = x_ + scale * direction_) {
+    if (++summary.halvings > kMostHalvings) throw ComputationError("no decrease of the potential along the step");
+    scale *= 0.5;
+  }
+
+  state.velocities = (trial_ - state.positions) / options.h;
+  state.positions = trial_;
+  return summary;
+}
+
+}  // namespace ease

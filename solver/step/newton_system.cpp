@@ -1,0 +1,99 @@
+#include "solver/step/newton_system.h"
+
+#include <cmath>
+
+#include "solver/linear/parallel.h"
+
+namespace ease {
+
+namespace {
+
+constexpr double kFactorCost = 35.0;   // iterations that take as long as a factor, measured at 4k and 10k vertices
+constexpr int kMostIterations = 80;    // with one factor; then a new one
+
+double dot(const Positions& a, const Positions& b) {
+  return parallelSum(static_cast<int>(a.rows()), [&](int i) { return a.row(i).dot(b.row(i)); });
+}
+
+}  // namespace
+
+NewtonSystem::NewtonSystem(const BlockMatrix& pattern) : cholesky_(Cholesky::Kind::kSupernodal) {
+  // Order the n x n pattern once and lift it: the same fill as ordering the 3n x 3n one, in a fraction of the time.
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < pattern.rows(); ++i)
+    for (int k = pattern.rowBegin(i); k < pattern.rowEnd(i); ++k)
+      if (pattern.column(k) <= i) entries.emplace_back(i, pattern.column(k), 1.0);
+  SparseMatrix lower(pattern.rows(), pattern.rows());
+  lower.setFromTriplets(entries.begin(), entries.end());
+  Cholesky vertices(Cholesky::Kind::kSimplicial);
+  vertices.analyse(lower);
+
+  const std::vector<char> fixed(pattern.rows(), 0);
+  pattern.toScalar(fixed, scalar_);
+  cholesky_.analyse(scalar_, liftOrdering(vertices.ordering()));
+  r_.resize(pattern.rows(), 3);
+  z_ = p_ = product_ = r_;
+}
+
+bool NewtonSystem::factor(const BlockMatrix& matrix, std::span<const char> fixed) {
+  matrix.toScalar(fixed, scalar_);
+  factored_ = cholesky_.factor(scalar_);
+  solves_ = last_iterations_ = 0;
+  cost_ = kFactorCost;
+  return factored_;
+}
+
+SolveSummary NewtonSystem::solve(const BlockMatrix& matrix,
+                                 const std::function<void(const Positions&, Positions&)>& add_product,
+                                 std::span<const char> fixed, const Positions& right, double tolerance, Positions& d) {
+  SolveSummary summary;
+  const auto renew = [&] {
+    ++summary.factorisations;
+    return factor(matrix, fixed);
+  };
+  const auto maskFixed = [&](Positions& v) {
+    for (int i = 0; i < matrix.rows(); ++i)
+      if (fixed[i]) v.row(i).setZero();
+  };
+  if (!factored_ || (solves_ > 0 && last_iterations_ > cost_ / solves_))
+    if (!renew()) return {0, summary.factorisations, false};
+
+  d.setZero(matrix.rows(), 3);
+  r_ = right;
+  maskFixed(r_);
+  cholesky_.solve(r_.data(), z_.data(), 1);
+  p_ = z_;
+  double rz = dot(r_, z_);
+  const double goal = tolerance * tolerance * rz;
+  for (int since_factor = 0; rz > goal; ++summary.iterations, ++since_factor) {
+    if (since_factor == kMostIterations) {
+      if (summary.factorisations > 0) break;  // as good as round-off allows
+      if (!renew()) return {summary.iterations, summary.factorisations, false};
+      since_factor = 0;
+      cholesky_.solve(r_.data(), z_.data(), 1);
+      p_ = z_;
+      rz = dot(r_, z_);
+    }
+    matrix.multiply(p_, product_);
+    add_product(p_, product_);
+    maskFixed(product_);
+    const double curvature = dot(p_, product_);
+    if (!(curvature > 0.0)) return {summary.iterations, summary.factorisations, false};
+    const double alpha = rz / curvature;
+    parallelFor(matrix.rows(), 1024, [&](int i) {
+      d.row(i) += alpha * p_.row(i);
+      r_.row(i) -= alpha * product_.row(i);
+    });
+    cholesky_.solve(r_.data(), z_.data(), 1);
+    const double next = dot(r_, z_);
+    parallelFor(matrix.rows(), 1024, [&](int i) { p_.row(i) = z_.row(i) + next / rz * p_.row(i); });
+    rz = next;
+  }
+  summary.ok = std::isfinite(rz);
+  ++solves_;
+  last_iterations_ = summary.iterations;
+  cost_ += summary.iterations;
+  return summary;
+}
+
+}  // namespace ease

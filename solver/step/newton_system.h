@@ -1,0 +1,48 @@
+// The linear system of a Newton step, solved by conjugate gradients on an earlier step's factor.
+//
+//   H d = r      H: projected Hessian, 3n x 3n, symmetric positive definite, N/m; r: N; d: m
+//
+// The cloth turns little between steps, so that an old factor of H (without bending, whose second ring would make it
+// four times as costly) is a good preconditioner.  A factor costs as much as some tens of iterations: it is renewed when an iteration
+// count exceeds the average cost of a solve since the last factor, the factor included, which is when the average
+// begins to rise.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "solver/linear/block_matrix.h"
+#include "solver/linear/cholesky.h"
+
+namespace ease {
+
+struct SolveSummary {
+  int iterations = 0;
+  int factorisations = 0;
+  bool ok = true;  // false: not positive definite, or NaN
+};
+
+class NewtonSystem {
+ public:
+  explicit NewtonSystem(const BlockMatrix& pattern);
+
+  /// `add_product(d, product)` adds what H has beyond `matrix`.  Rows of `fixed` vertices stay zero.  Stops when the
+  /// residual, measured by the preconditioner, is `tolerance` of what it was.
+  SolveSummary solve(const BlockMatrix& matrix, const std::function<void(const Positions&, Positions&)>& add_product,
+                     std::span<const char> fixed, const Positions& right, double tolerance, Positions& d);
+
+  /// The factor no longer serves (other pins).
+  void forgetFactor() { factored_ = false; }
+
+ private:
+  bool factor(const BlockMatrix& matrix, std::span<const char> fixed);
+
+  SparseMatrix scalar_;
+  Cholesky cholesky_;
+  bool factored_ = false;
+  int solves_ = 0, last_iterations_ = 0;   // since the last factor
+  double cost_ = 0.0;                      // in iterations, the factor included
+  Positions r_, z_, p_, product_;
+};
+
+}  // namespace ease

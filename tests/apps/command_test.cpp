@@ -1,0 +1,153 @@
+// The program itself, as a user starts it.
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <sstream>
+
+#include "tests/apps/temporary_directory.h"
+
+using namespace ease;
+using Catch::Contains;
+using Catch::EndsWith;
+using Catch::StartsWith;
+
+namespace {
+
+struct Outcome {
+  int code;
+  std::string out, err;
+};
+
+std::string contentOf(const std::filesystem::path& file) {
+  std::ostringstream content;
+  content << std::ifstream(file).rdbuf();
+  return content.str();
+}
+
+/// Runs `ease ARGUMENTS` in `directory`, started by `launcher` (a command in front of it).
+Outcome runEase(const TemporaryDirectory& directory, const std::string& arguments, const std::string& launcher = "") {
+  const std::string in = "cd '" + directory.path.string() + "' && ";
+  const int status = std::system((in + launcher + "'" EASE_COMMAND "' " + arguments + " >out 2>err").c_str());
+  REQUIRE(WIFEXITED(status));
+  return {WEXITSTATUS(status), contentOf(directory.path / "out"), contentOf(directory.path / "err")};
+}
+
+Outcome runEase(const std::string& arguments) {
+  return runEase(TemporaryDirectory(), arguments);
+}
+
+bool isOneLine(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n') == 1;
+}
+
+/// A square of cloth, 2 x 2 x 2 triangles, that hangs by its upper edge for `steps` time steps.
+std::filesystem::path writeHangingCloth(const TemporaryDirectory& directory, int steps) {
+  std::string obj;
+  for (const char* y : {"1.0", "1.1", "1.2"})
+    for (const char* x : {"0.0", "0.1", "0.2"}) obj += std::string("v ") + x + " " + y + " 0\n";
+  obj += "f 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 6 5\nf 4 5 8\nf 4 8 7\nf 5 6 9\nf 5 9 8\n";
+  directory.write("cloth.obj", obj);
+  return directory.write("hang.toml", "solver = {steps = " + std::to_string(steps) +
+                                          "}\n[garment]\nmesh = 'cloth.obj'\n[[garment.pin]]\nvertices = [6, 7, 8]\n");
+}
+
+}  // namespace
+
+TEST_CASE("help shows the commands, examples and exit codes") {
+  const Outcome outcome = runEase("--help");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK_THAT(outcome.out, Contains("run") && Contains("check") && Contains("Examples:") && Contains("130 interrupted"));
+}
+
+TEST_CASE("every command has its help") {
+  CHECK_THAT(runEase("run --help").out, Contains("--output") && Contains("--threads") && Contains("Examples:"));
+  CHECK_THAT(runEase("check --help").out, Contains("SCENE") && Contains("Example:"));
+}
+
+TEST_CASE("the version is printed") {
+  const Outcome outcome = runEase("--version");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out == "ease " EASE_VERSION "\n");
+}
+
+TEST_CASE("misuse of the command line is one line and exit code 1") {
+  const auto [arguments, message] = GENERATE(table<const char*, const char*>({
+      {"", "no command: expected 'run' or 'check'"},
+      {"rum x.toml", "unknown command 'rum', did you mean 'run'?"},
+      {"--fast", "unknown option '--fast'"},
+      {"run", "SCENE is required"},
+      {"run x.toml --threads many", "--threads"},
+      {"run x.toml --threads -2", "--threads"},
+      {"run x.toml y.toml", "y.toml"},
+      {"check x.toml -o out", "-o"},
+  }));
+  const Outcome outcome = runEase(arguments);
+  INFO(arguments);
+  CHECK(outcome.code == 1);
+  CHECK(outcome.out.empty());
+  CHECK_THAT(outcome.err, StartsWith("ease: error: ") && Contains(message));
+  CHECK(isOneLine(outcome.err));
+}
+
+TEST_CASE("a wrong scene is one line and exit code 1, for run as for check") {
+  for (const std::string command : {"run", "check"}) {
+    const TemporaryDirectory directory;
+    directory.write("scene.toml", "[garment]\nmehs = 's.obj'\n");
+    directory.write("missing.toml", "solver = {steps = 1}\n[garment]\nmesh = 's.obj'\n");
+    const Outcome missing_scene = runEase(directory, command + " none.toml");
+    CHECK(missing_scene.code == 1);
+    CHECK(missing_scene.err == "ease: error: none.toml: no such scene file\n");
+    const Outcome wrong_key = runEase(directory, command + " scene.toml");
+    CHECK(wrong_key.code == 1);
+    CHECK(wrong_key.err == "ease: error: scene.toml:2: [garment] 'mehs' is not a known key; did you mean 'mesh'?\n");
+    const Outcome missing_mesh = runEase(directory, command + " missing.toml");
+    CHECK(missing_mesh.code == 1);
+    CHECK_THAT(missing_mesh.err, StartsWith("ease: error: ") && Contains("s.obj"));
+    CHECK(isOneLine(missing_mesh.err));
+    CHECK_FALSE(std::filesystem::exists(directory.path / "results"));
+  }
+}
+
+TEST_CASE("check sums up a scene and writes nothing") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 400);
+  const Outcome outcome = runEase(directory, "check hang.toml");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK_THAT(outcome.out, StartsWith("hang\n") && EndsWith("ok\n"));
+  CHECK_THAT(outcome.out, Contains("9 vertices, 8 triangles, 1 boundary loop, 3 pinned vertices"));
+  CHECK_THAT(outcome.out, Contains("400 time steps of 0.0025 s: 1 s"));
+  CHECK_FALSE(std::filesystem::exists(directory.path / "results"));
+}
+
+TEST_CASE("a directory that cannot be written to is found before computing") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 1000000);
+  directory.write("file", "");
+  const Outcome outcome = runEase(directory, "run hang.toml -o file/results");
+  CHECK(outcome.code == 1);
+  CHECK_THAT(outcome.err, StartsWith("ease: error: file/results: cannot make this directory"));
+  CHECK(isOneLine(outcome.err));
+}
+
+TEST_CASE("a run writes into its directory, by default one of the scene's name") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 4);
+  CHECK(runEase(directory, "run hang.toml").code == 0);
+  CHECK(std::filesystem::exists(directory.path / "results/hang/report.json"));
+  CHECK(runEase(directory, "run hang.toml -o here --threads 1").code == 0);
+  CHECK(std::filesystem::exists(directory.path / "here/report.json"));
+}
+
+TEST_CASE("an interrupted run ends with exit code 130 and says where its results are") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 1000000);
+  for (const std::string signal : {"INT", "TERM"}) {
+    const Outcome outcome = runEase(directory, "run hang.toml", "timeout --preserve-status --signal=" + signal + " 1 ");
+    CHECK(outcome.code == 130);
+    CHECK_THAT(outcome.err, Contains("ease: interrupted: ") && Contains("results/hang"));
+  }
+}

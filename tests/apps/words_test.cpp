@@ -1,0 +1,27 @@
+#include "apps/words.h"
+
+#include <catch2/catch.hpp>
+
+using namespace ease;
+
+TEST_CASE("a list of words reads as English") {
+  CHECK(listWords({}) == "");
+  CHECK(listWords({"a"}) == "'a'");
+  CHECK(listWords({"a", "b"}) == "'a' or 'b'");
+  CHECK(listWords({"a", "b", "c"}) == "'a', 'b' or 'c'");
+}
+
+TEST_CASE("a slip of the keyboard finds the word that was meant") {
+  const std::vector<std::string> words = {"density", "stretch", "shear", "steps_per_pose"};
+  CHECK(nearestWord("densty", words) == "density");    // a letter less
+  CHECK(nearestWord("strretch", words) == "stretch");  // one more
+  CHECK(nearestWord("sheer", words) == "shear");       // another
+  CHECK(nearestWord("shera", words) == "shear");       // two swapped
+  CHECK(nearestWord("steps_per_step", words) == "steps_per_pose");
+}
+
+TEST_CASE("a word like none of the known ones has no nearest word") {
+  CHECK(nearestWord("colour", {"density", "stretch", "shear"}) == "");
+  CHECK(nearestWord("x", {"to", "up"}) == "");
+  CHECK(nearestWord("", {"to"}) == "");
+}

@@ -1,0 +1,183 @@
+#include "collision/mannequin.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "collision/fading_turn.h"
+#include "collision/mannequin_shape.h"
+#include "solver/mesh/error.h"
+#include "solver/mesh/topology.h"
+
+using namespace ease;
+
+namespace {
+
+double volume(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  for (int t = 0; t < mesh.triangles.rows(); ++t) {
+    const Vec3 a = mesh.positions.row(mesh.triangles(t, 0)), b = mesh.positions.row(mesh.triangles(t, 1)),
+               c = mesh.positions.row(mesh.triangles(t, 2));
+    sum += a.dot(b.cross(c)) / 6.0;
+  }
+  return sum;
+}
+
+double smallestAngle(const TriangleMesh& mesh) {
+  double smallest = 180.0;
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 a = mesh.positions.row(mesh.triangles(t, k)), b = mesh.positions.row(mesh.triangles(t, (k + 1) % 3)),
+                 c = mesh.positions.row(mesh.triangles(t, (k + 2) % 3));
+      smallest = std::min(smallest, std::acos((b - a).normalized().dot((c - a).normalized())) * 180.0 / M_PI);
+    }
+  return smallest;
+}
+
+/// The vertex at the tip of the left hand in the T-pose.
+int leftHand() {
+  int hand;
+  mannequin("t").positions.col(0).maxCoeff(&hand);
+  return hand;
+}
+
+}  // namespace
+
+TEST_CASE("the mannequin is one closed surface that encloses a person's volume in every pose") {
+  for (const std::string& pose : mannequinPoses()) {
+    INFO(pose);
+    const TriangleMesh body = mannequin(pose);
+    const Topology topology = buildTopology(body, pose);
+    CHECK(topology.boundary_loops.empty());
+    CHECK(body.positions.rows() - static_cast<long>(topology.edges.size()) + body.triangles.rows() == 2);
+    CHECK(volume(body) > 0.05);
+    CHECK(volume(body) < 0.09);
+  }
+}
+
+TEST_CASE("the mannequin stands on the ground, 1.70 m tall, with 8 to 14 thousand vertices") {
+  const TriangleMesh body = mannequin("t");
+  CHECK(std::abs(body.positions.col(1).minCoeff()) < 0.001);
+  CHECK(body.positions.col(1).maxCoeff() == Approx(1.70).margin(0.01));
+  CHECK(body.positions.rows() > 8000);
+  CHECK(body.positions.rows() < 14000);
+}
+
+TEST_CASE("the mannequin's left is the mirror image of its right") {
+  for (const std::string& pose : mannequinPoses()) {
+    INFO(pose);
+    const Positions x = mannequin(pose).positions;
+    CHECK(x.col(0).maxCoeff() == Approx(-x.col(0).minCoeff()).margin(0.003));
+  }
+  for (const Vec3& x : {Vec3(0.21, 1.30, 0.03), Vec3(0.05, 0.80, -0.1), Vec3(0.7, 1.4, 0.05)}) {
+    const Distance left = mannequinDistance(x), right = mannequinDistance({-x.x(), x.y(), x.z()});
+    CHECK(left.value == right.value);
+    CHECK(left.gradient.x() == -right.gradient.x());
+    CHECK(left.gradient.y() == right.gradient.y());
+  }
+}
+
+TEST_CASE("the vertices of the T-pose lie on the implicit surface") {
+  const Positions x = mannequin("t").positions;
+  double furthest = 0.0;
+  for (int v = 0; v < x.rows(); ++v) furthest = std::max(furthest, std::abs(mannequinDistance(x.row(v)).value));
+  CHECK(furthest < 1e-5);
+}
+
+TEST_CASE("the gradient of the mannequin's distance agrees with finite differences at its surface") {
+  const Positions positions = mannequin("t").positions;
+  constexpr double kStep = 1e-6;
+  double worst = 0.0;
+  for (int v = 0; v < positions.rows(); v += 97) {
+    const Vec3 x = positions.row(v);
+    const Vec3 gradient = mannequinDistance(x).gradient;
+    CHECK(gradient.norm() > 0.5);
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 step = kStep * Vec3::Unit(k);
+      const double slope = (mannequinDistance(x + step).value - mannequinDistance(x - step).value) / (2.0 * kStep);
+      worst = std::max(worst, std::abs(slope - gradient[k]));
+    }
+  }
+  CHECK(worst < 0.05);  // the gradient leaves out how a flattened limb's slope varies, where it is blended
+}
+
+TEST_CASE("triangles are well shaped in every pose") {
+  CHECK(smallestAngle(mannequin("t")) > 20.0);
+  for (const std::string& pose : mannequinPoses()) {
+    INFO(pose);
+    CHECK(smallestAngle(mannequin(pose)) > 12.0);
+  }
+}
+
+TEST_CASE("all poses have the same triangles, and edges that stretch moderately") {
+  const TriangleMesh rest = mannequin("t");
+  const Topology topology = buildTopology(rest, "t");
+  for (const std::string& pose : mannequinPoses()) {
+    INFO(pose);
+    const TriangleMesh body = mannequin(pose);
+    REQUIRE(body.triangles == rest.triangles);
+    double shortest = 1.0, longest = 1.0;
+    for (const Edge& edge : topology.edges) {
+      const auto length = [&](const Positions& x) { return (x.row(edge.vertex[0]) - x.row(edge.vertex[1])).norm(); };
+      const double ratio = length(body.positions) / length(rest.positions);
+      shortest = std::min(shortest, ratio);
+      longest = std::max(longest, ratio);
+    }
+    CHECK(shortest > 0.4);
+    CHECK(longest < 2.5);
+    CHECK((pose == "t" || longest > 1.2));
+  }
+}
+
+TEST_CASE("only the arms and what is near them move from pose to pose") {
+  const Positions rest = mannequin("t").positions;
+  for (const std::string& pose : mannequinPoses()) {
+    INFO(pose);
+    const Positions x = mannequin(pose).positions;
+    double furthest = 0.0;
+    for (int v = 0; v < rest.rows(); ++v) {
+      const bool is_head = rest(v, 1) > 1.56, is_leg = rest(v, 1) < 1.0;
+      if (is_head || is_leg) furthest = std::max(furthest, (x.row(v) - rest.row(v)).norm());
+    }
+    CHECK(furthest < 1e-12);
+  }
+}
+
+TEST_CASE("each pose puts the left hand where its name says") {
+  const int hand = leftHand();
+  const auto direction = [&](const std::string& pose) {
+    return Vec3(Vec3(mannequin(pose).positions.row(hand)) - mannequin_joints::kShoulder);
+  };
+  CHECK(direction("t").normalized().x() > 0.99);
+
+  const Vec3 a = direction("a");
+  CHECK(std::atan2(-a.y(), a.x()) * 180.0 / M_PI == Approx(45.0).margin(8.0));
+
+  const Vec3 up = direction("up");
+  CHECK(up.x() > 0.0);
+  CHECK(std::atan2(up.y(), std::hypot(up.x(), up.z())) * 180.0 / M_PI == Approx(68.0).margin(8.0));
+
+  const Vec3 front = direction("front");
+  CHECK(front.normalized().z() > 0.98);
+  CHECK(std::abs(front.y()) < 0.08);
+}
+
+TEST_CASE("a fading turn keeps distances from the joint, moves the limb rigidly and leaves the rest") {
+  const FadingTurn turn = {{0.1, 0.2, 0.3}, Vec3::UnitX(), {0, 0, 0.9}, 0.3, 2.2, 1.2, 0.05, 0.2};
+  const Eigen::Isometry3d whole = wholeTurn(turn);
+  const Vec3 on_limb(0.6, 0.21, 0.3), beside(0.12, 0.3, 0.33), behind(-0.3, 0.25, 0.3);
+  CHECK(turnWeight(turn, on_limb) == 1.0);
+  CHECK((turned(turn, on_limb) - whole * on_limb).norm() < 1e-15);
+  CHECK(turnWeight(turn, beside) > 0.05);
+  CHECK(turnWeight(turn, beside) < 0.95);
+  CHECK((turned(turn, beside) - turn.joint).norm() == Approx((beside - turn.joint).norm()).epsilon(1e-13));
+  CHECK(turnWeight(turn, behind) == 0.0);
+  CHECK(turned(turn, behind) == behind);
+}
+
+TEST_CASE("an unknown pose is refused by name") {
+  CHECK_THROWS_AS(mannequin("sitting"), InputError);
+  CHECK_THROWS_WITH(mannequin("sitting"),
+                    "the mannequin has no pose \"sitting\"; its poses are \"t\", \"a\", \"up\", \"front\"");
+}

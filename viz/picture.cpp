@@ -1,0 +1,261 @@
+#include "viz/picture.h"
+
+#include <fmt/format.h>
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellData.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <string_view>
+
+#include "solver/mesh/error.h"
+#include "viz/color_scale.h"
+#include "viz/offscreen.h"
+#include "viz/overlay.h"
+#include "viz/poly_data.h"
+#include "viz/whole_file.h"
+
+namespace ease {
+
+namespace {
+
+constexpr int kWidth = 1600, kHeight = 1000;       // pixels
+constexpr int kTitleBand = 84, kLegendBand = 124;  // pixels
+constexpr int kGutter = 8;                         // pixels, white on either side of a view
+constexpr int kSamples = 2;                        // rendered per pixel and direction, for smooth edges
+constexpr double kLevelStep = 3;                   // of 255: no eye sees it, and the file is a third smaller
+constexpr double kViewAngle = 16;                  // degrees, whole height
+
+// While it lives, VTK and its OpenGL loader print nothing on the terminal.
+class Quiet {
+ public:
+  Quiet() { vtkObject::GlobalWarningDisplayOff(); }
+  ~Quiet() { vtkObject::SetGlobalWarningDisplay(before_); }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+ private:
+  vtkTypeBool before_ = vtkObject::GetGlobalWarningDisplay();
+};
+
+void checkViews(const std::vector<StretchView>& views, double low, double high) {
+  if (views.empty()) throw ComputationError("nothing to draw");
+  if (!(low < high)) throw ComputationError(fmt::format("empty range of colours {}..{}", low, high));
+  for (const StretchView& view : views) {
+    if (static_cast<Eigen::Index>(view.values.size()) != view.garment->triangles.rows() || view.values.empty()) {
+      throw ComputationError(fmt::format("view {}: {} values for {} triangles", view.title, view.values.size(),
+                                         view.garment->triangles.rows()));
+    }
+  }
+}
+
+// Triangles shaded smoothly; `colors`, one per triangle, or none.
+vtkSmartPointer<vtkActor> makeActor(const TriangleMesh& mesh, vtkUnsignedCharArray* colors) {
+  const auto surface = toPolyData(mesh.positions, toCells(mesh.triangles));
+  if (colors) surface->GetCellData()->SetScalars(colors);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(normals->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetInterpolationToPhong();
+  actor->GetProperty()->SetAmbient(0.35);
+  actor->GetProperty()->SetDiffuse(0.65);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> garmentActor(const StretchView& view, const ColorScale& scale) {
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (float value : view.values) colors->InsertNextTypedTuple(scale.color(value).data());
+  auto actor = makeActor(*view.garment, colors);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> bodyActor(const TriangleMesh& body) {
+  auto actor = makeActor(body, nullptr);
+  actor->GetProperty()->SetColor(0.78, 0.78, 0.78);
+  return actor;
+}
+
+void addLights(vtkRenderer* renderer) {
+  struct Lamp {
+    double x, y, z, intensity;  // towards the lamp, in the camera's frame
+  };
+  renderer->AutomaticLightCreationOff();
+  for (const Lamp& lamp : {Lamp{-0.6, 0.8, 1.0, 1.1}, Lamp{0.9, 0.1, 0.6, 0.35}}) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(lamp.x, lamp.y, lamp.z);
+    light->SetIntensity(lamp.intensity);
+    renderer->AddLight(light);
+  }
+}
+
+// What a view must show: the garments' common box, m.
+struct Extent {
+  Vec3 center, size;
+};
+
+Extent garmentExtent(const std::vector<StretchView>& views) {
+  Vec3 lower = views.front().garment->positions.colwise().minCoeff();
+  Vec3 upper = views.front().garment->positions.colwise().maxCoeff();
+  for (const StretchView& view : views) {
+    lower = lower.cwiseMin(view.garment->positions.colwise().minCoeff().transpose());
+    upper = upper.cwiseMax(view.garment->positions.colwise().maxCoeff().transpose());
+  }
+  return {(lower + upper) / 2, 1.12 * (upper - lower)};
+}
+
+// Looks along -z (front, the wearer faces +z) or +z, a little from above.
+void placeCamera(vtkRenderer* renderer, const Extent& extent, const Box& box, bool from_behind) {
+  const double half_height = std::max(extent.size.y(), extent.size.x() * box.height / box.width) / 2;
+  const double distance = half_height / std::tan(kViewAngle / 2 * M_PI / 180) + extent.size.z() / 2;
+  const Vec3 towards = Vec3(0, 0.1, from_behind ? -1 : 1).normalized();
+  const Vec3 eye = extent.center + distance * towards;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(extent.center.data());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(0, 1, 0);
+  camera->SetViewAngle(kViewAngle);
+  renderer->ResetCameraClippingRange();
+}
+
+void addScene(vtkRenderWindow* window, const StretchView& view, const ColorScale& scale, const Extent& extent,
+              const Box& box, bool from_behind) {
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetViewport((box.x + kGutter) / kWidth, box.y / kHeight, (box.x + box.width - kGutter) / kWidth,
+                        (box.y + box.height) / kHeight);
+  renderer->SetBackground(1, 1, 1);
+  renderer->AddActor(garmentActor(view, scale));
+  if (view.body) renderer->AddActor(bodyActor(*view.body));
+  addLights(renderer);
+  placeCamera(renderer, extent, box, from_behind);
+  window->AddRenderer(renderer);
+}
+
+// Boxes of the front and the back within a panel: beside or above each other, whichever shows the garment larger.
+std::pair<Box, Box> splitPanel(const Box& panel, const Extent& extent) {
+  const auto zoom = [&](const Box& box) { return std::min(box.width / extent.size.x(), box.height / extent.size.y()); };
+  const Box left = {panel.x, panel.y, panel.width / 2, panel.height};
+  const Box lower = {panel.x, panel.y, panel.width, panel.height / 2};
+  if (zoom(left) > zoom(lower)) return {left, {panel.x + panel.width / 2, panel.y, panel.width / 2, panel.height}};
+  return {{panel.x, panel.y + panel.height / 2, panel.width, panel.height / 2}, lower};
+}
+
+std::string summary(const StretchView& view, const ColorScale& scale) {
+  const auto over = std::count_if(view.values.begin(), view.values.end(), [&](float v) { return scale.isOver(v); });
+  return fmt::format("largest {:.2f}, {:.1f} % of triangles over the limit",
+                     *std::max_element(view.values.begin(), view.values.end()),
+                     100.0 * static_cast<double>(over) / static_cast<double>(view.values.size()));
+}
+
+void compose(vtkRenderWindow* window, Overlay& overlay, const std::vector<StretchView>& views, const ColorScale& scale,
+             const std::string& label) {
+  const Rgb grey = {110, 114, 118};
+  vtkNew<vtkRenderer> paper;  // behind all others
+  paper->SetBackground(1, 1, 1);
+  window->AddRenderer(paper);
+  const Extent extent = garmentExtent(views);
+  const double width = static_cast<double>(kWidth) / static_cast<double>(views.size());
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const Box panel = {static_cast<double>(i) * width, kLegendBand, width, kHeight - kLegendBand - kTitleBand};
+    const auto [front, back] = splitPanel(panel, extent);
+    addScene(window, views[i], scale, extent, front, false);
+    addScene(window, views[i], scale, extent, back, true);
+    overlay.text(front.x + 24, front.y + 18, Align::left, "front", {15, grey});
+    overlay.text(back.x + 24, back.y + 18, Align::left, "back", {15, grey});
+    const double middle = panel.x + width / 2;
+    overlay.text(middle, kHeight - 44, Align::center, views[i].title, {28, {40, 44, 48}, true});
+    overlay.text(middle, kHeight - 72, Align::center, summary(views[i], scale), {17, grey});
+    if (i > 0) overlay.boxes({{panel.x - 0.5, panel.y, 1, panel.height + 60}}, {{205, 208, 211}});
+  }
+  drawScaleBar(overlay, scale, label, {kWidth / 2.0 - 360, 68, 720, 20});
+}
+
+// The window's pixels, each the mean of the samples rendered for it.
+vtkSmartPointer<vtkImageData> averagedPixels(vtkRenderWindow* window) {
+  vtkNew<vtkUnsignedCharArray> samples;
+  window->GetPixelData(0, 0, kSamples * kWidth - 1, kSamples * kHeight - 1, 0, samples);
+  if (samples->GetNumberOfTuples() != kSamples * kWidth * kSamples * kHeight) {
+    throw ComputationError("OpenGL gave no pixels back");
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(kWidth, kHeight, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int y = 0; y < kHeight; ++y) {
+    for (int i = 0; i < 3 * kWidth; ++i) {
+      double sum = 0;
+      for (int sy = 0; sy < kSamples; ++sy) {
+        for (int sx = 0; sx < kSamples; ++sx) {
+          const int column = kSamples * (i / 3) + sx, row = kSamples * y + sy;
+          sum += samples->GetValue(3 * (row * kSamples * kWidth + column) + i % 3);
+        }
+      }
+      *out++ = static_cast<unsigned char>(kLevelStep * std::lround(sum / (kSamples * kSamples * kLevelStep)));
+    }
+  }
+  return image;
+}
+
+void writePng(const std::filesystem::path& file, vtkImageData* image) {
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->SetCompressionLevel(9);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  writeWholeFile(file, {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                        static_cast<std::size_t>(bytes->GetNumberOfValues())});
+}
+
+}  // namespace
+
+std::string drawStretch(const std::filesystem::path& file, const std::vector<StretchView>& views,
+                        const std::string& label, double low, double high, double limit) {
+  try {
+    checkViews(views, low, high);
+    const ColorScale scale(low, high, std::clamp(limit, low, high));
+    const Quiet quiet;
+    const OffscreenContext context;
+    vtkNew<vtkGenericOpenGLRenderWindow> window;
+    window->SetOwnContext(0);
+    window->SetIsCurrent(true);
+    window->SetReadyForRendering(true);
+    window->SetSupportsOpenGL(1);
+    window->SetIsDirect(1);
+    window->SetMapped(1);
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetSize(kSamples * kWidth, kSamples * kHeight);
+    window->SetNumberOfLayers(2);
+    window->OpenGLInitContext();
+    Overlay overlay(kSamples);
+    compose(window, overlay, views, scale, label);
+    window->AddRenderer(overlay.renderer());
+    window->Render();
+    writePng(file, averagedPixels(window));
+    window->Finalize();
+    return {};
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace ease

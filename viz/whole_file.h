@@ -1,0 +1,16 @@
+// A file that is there whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace ease {
+
+/// The name under which `file` is written until it is whole.
+std::filesystem::path temporaryName(const std::filesystem::path& file);
+
+/// Writes `bytes` to the temporary name and renames it to `file`, replacing what was there.  Throws ComputationError
+/// with the file and the system's reason (disk full, directory gone, no permission), and leaves no temporary file.
+void writeWholeFile(const std::filesystem::path& file, std::string_view bytes);
+
+}  // namespace ease
