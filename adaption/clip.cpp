@@ -6,7 +6,9 @@
 
 namespace ease {
 
-ClipOptions clipOptions(double limit) { return {0.95 * limit, 0.8 * limit, 2}; }
+ClipOptions clipOptions(double limit) {
+  return {0.95 * limit, 0.8 * limit, 2};
+}
 
 bool clipStretch(const Cloth& cloth, const std::vector<Stretch>& stretch, const ClipOptions& options,
                  std::vector<Mat2>& growth) {

@@ -15,9 +15,9 @@
 namespace ease {
 
 struct ClipOptions {
-  double act_above = 0.095;   // stretch above 1 + this grows; a little below the limit, so that the limit is kept between adaptions
-  double grow_to = 0.08;      // ... until it is 1 + this
-  int smoothing = 2;          // passes over neighbours
+  double act_above;  // stretch above 1 + this grows: below the limit, so that it is kept between adaptions
+  double grow_to;    // ... until it is 1 + this
+  int smoothing;     // passes over neighbours
 };
 
 /// Options for a limit delta.

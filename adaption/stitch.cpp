@@ -1,7 +1,9 @@
 #include "adaption/stitch.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "adaption/stretch_measure.h"
 #include "solver/linear/parallel.h"
 #include "solver/mesh/error.h"
 
@@ -11,6 +13,15 @@ namespace {
 
 constexpr int kIterations = 10;
 constexpr double kNearness = 1e-3;  // of a vertex's part of the matrix: what does not grow stays where it is
+
+// The smallest edges that are as long as `wanted` and as `growth` times the present `edges`, in every direction.
+Mat2 atLeastBoth(const Mat2& wanted, const Mat2& growth, const Mat2& edges) {
+  if (growth == Mat2::Identity()) return wanted;
+  const Mat2 map = growth * edges * wanted.inverse();
+  const Stretch s = principalStretch(map.transpose() * map);
+  const double larger = std::max(1.0, s.sigma_1), smaller = std::max(1.0, s.sigma_2);
+  return (smaller * Mat2::Identity() + (larger - smaller) * s.direction * s.direction.transpose()) * wanted;
+}
 
 }  // namespace
 
@@ -33,7 +44,7 @@ Stitcher::Stitcher(const Cloth& cloth)
   }
   if (!system_.factor(reference_inverse_, cloth.restAreas(), diagonal))
     throw ComputationError("stitching: the garment's Laplacian is not positive definite");
-  wanted_.resize(cloth.triangleCount());
+  wanted_ = cloth.restEdges();
   rest_edges_.resize(cloth.triangleCount());
   targets_.resize(cloth.triangleCount());
 }
@@ -41,7 +52,7 @@ Stitcher::Stitcher(const Cloth& cloth)
 void Stitcher::stitch(Cloth& cloth, const std::vector<Mat2>& growth) {
   const int m = cloth.triangleCount();
   anchors_ = x_ = cloth.restPositions();
-  parallelFor(m, 512, [&](int t) { wanted_[t] = growth[t] * cloth.restEdges()[t]; });
+  parallelFor(m, 512, [&](int t) { wanted_[t] = atLeastBoth(wanted_[t], growth[t], cloth.restEdges()[t]); });
   for (int k = 0; k < kIterations; ++k) {
     parallelFor(m, 512, [&](int t) {
       const Mat32 R = nearestRotation(edgeMatrix(x_, cloth.triangles(), t) * wanted_[t].inverse());

@@ -5,8 +5,11 @@
 //   D_t   2x2 rest edges before, D'_t those asked for, m      R_t  3x2 with orthonormal columns
 //   E_t   3x2 edges of the stitched mesh, m
 //
-// alternating between R_t (closed-form polar) and x (the gradient system, factored once) after Sorkine and Alexa 2007.
-// The new flat edges are R_tᵀ E_t: they carry the grain.
+// What triangles ask for is remembered: D'_t only ever grows, and one that the others squeezed asks for its own size
+// again the next time.  Otherwise squeezed triangles would count as stretched, grow, and squeeze others.
+//
+// The minimum is found by alternating between R_t (closed-form polar) and x (the gradient system, factored once) after
+// Sorkine and Alexa 2007. The new flat edges are R_tᵀ E_t: they carry the grain.
 #pragma once
 
 #include <vector>
@@ -21,12 +24,12 @@ class Stitcher {
   /// Factors for the cloth's first rest shape; its cotangents serve for all later ones.
   explicit Stitcher(const Cloth& cloth);
 
-  /// Gives the cloth the rest shape nearest to its triangles grown by `growth` (2x2 each).
+  /// Gives the cloth the rest shape nearest to its triangles grown by `growth` (2x2 each; identity: as it was).
   void stitch(Cloth& cloth, const std::vector<Mat2>& growth);
 
  private:
   GradientSystem system_;
-  std::vector<Mat2> reference_inverse_;   // D^-1 of the first rest shape, by which gradients are taken
+  std::vector<Mat2> reference_inverse_;  // D^-1 of the first rest shape, by which gradients are taken
   std::vector<Mat2> wanted_, rest_edges_;
   std::vector<Mat32> targets_;
   Positions anchors_, x_;

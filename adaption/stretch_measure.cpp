@@ -32,9 +32,9 @@ void measureStretch(const Cloth& cloth, const Positions& x, std::vector<Stretch>
 StretchStatistics stretchStatistics(std::vector<double> values, double limit) {
   if (values.empty()) return {};
   StretchStatistics s;
-  s.share_over_limit = static_cast<double>(std::count_if(values.begin(), values.end(),
-                                                         [&](double v) { return v > 1.0 + limit; })) /
-                       static_cast<double>(values.size());
+  s.share_over_limit =
+      static_cast<double>(std::count_if(values.begin(), values.end(), [&](double v) { return v > 1.0 + limit; })) /
+      static_cast<double>(values.size());
   const auto rank = values.begin() + static_cast<long>(0.99 * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), rank, values.end());
   s.p99 = *rank;

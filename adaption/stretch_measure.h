@@ -10,9 +10,9 @@
 namespace ease {
 
 struct Stretch {
-  double sigma_1, sigma_2;       // principal
-  double warp, weft;             // |f_u|, |f_v|
-  Eigen::Vector2d direction;     // unit, of sigma_1 in the material's plane: first column of V
+  double sigma_1, sigma_2;    // principal
+  double warp, weft;          // |f_u|, |f_v|
+  Eigen::Vector2d direction;  // unit, of sigma_1 in the material's plane: first column of V
 };
 
 /// Principal stretches of one deformation gradient (3x2 or 2x2), in closed form.

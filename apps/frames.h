@@ -13,10 +13,10 @@ namespace ease {
 /// What a frame of the garment shows beside its positions.
 struct GarmentFields {
   const std::vector<Stretch>& stretch;
-  const std::vector<double>& first_areas;   // of the first rest shape, m^2
-  const std::vector<double>& gap;           // per vertex, m; empty without a body
-  const std::vector<double>& pressure;      // per vertex, Pa; empty without a body
-  const std::vector<int>& pinned;           // vertices
+  const std::vector<double>& first_areas;  // of the first rest shape, m^2
+  const std::vector<double>& gap;          // per vertex, m; empty without a body
+  const std::vector<double>& pressure;     // per vertex, Pa; empty without a body
+  const std::vector<int>& pinned;          // vertices
 };
 
 /// Per triangle: sigma_1, sigma_2, stretch_warp, stretch_weft, rest_area_ratio.  Per vertex: velocity_m_s, pinned,

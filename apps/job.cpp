@@ -19,7 +19,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// How much longer each triangle's cloth became from one rest shape to another: sigma_1 of the map between them.
 void measureGrowth(const std::vector<Mat2>& first_inverse, double first_area, const Cloth& cloth, Report& report) {
@@ -106,11 +108,7 @@ class Job {
       run_options.series = &*series;
     }
     const auto finish = [&] {
-      if (series) {
-        series->garment.finish();
-        series->body.finish();
-        series->rest.finish();
-      }
+      if (series) series->finish();
       measureGrowth(first_inverse_, sum(first_areas_), *cloth_, report_);
       writeObj(directory_ / "rest_shape.obj", {cloth_->restPositions(), cloth_->triangles()});
       writeVtp(directory_ / "rest_shape.vtp", cloth_->triangles(), restFrame(*cloth_, first_areas_));

@@ -8,8 +8,8 @@
 
 namespace ease {
 
-/// Simulates, adapts, verifies and writes into `directory`, which exists.  Returns false if `interrupted` became true on
-/// the way; what is on disk then is whole.  Throws ComputationError, likewise.
+/// Simulates, adapts, verifies and writes into `directory`, which exists.  Returns false if `interrupted` became true
+/// on the way; what is on disk then is whole.  Throws ComputationError, likewise.
 bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
               const std::atomic<bool>& interrupted);
 

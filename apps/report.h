@@ -23,8 +23,8 @@ struct PassRecord {
   int steps = 0;
   StretchRecord stretch;
   Penetration penetration;
-  double wall_s = 0.0;             // the whole pass
-  double final_speed_m_s = 0.0;    // largest of a vertex, at the end
+  double wall_s = 0.0;           // the whole pass
+  double final_speed_m_s = 0.0;  // largest of a vertex, at the end
   double level_set_s = 0.0, interpolation_s = 0.0, step_s = 0.0, adaption_s = 0.0, output_s = 0.0;
   double level_set_MB = 0.0;
   long newton_iterations = 0, cg_iterations = 0, factorisations = 0;
@@ -34,15 +34,15 @@ struct PassRecord {
 struct Report {
   int vertices = 0, triangles = 0;
   double time_step_s = 0.0;
-  double limit = 0.0;                        // 0: no adaption
+  double limit = 0.0;  // 0: no adaption
   std::vector<std::string> pose_names;
   PassRecord run;
   bool verified = false;
-  PassRecord before, after;                  // replays on the first and on the adapted rest shape
+  PassRecord before, after;  // replays on the first and on the adapted rest shape
   double growth_max = 1.0, growth_p99 = 1.0, growth_area_ratio = 1.0;
   double setup_s = 0.0, total_s = 0.0;
   bool interrupted = false;
-  std::string failure;                       // empty, or where and why the computation stopped
+  std::string failure;  // empty, or where and why the computation stopped
   std::vector<std::string> warnings;
 };
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/task_group.h>
 
+#include <limits>
+
 #include "adaption/clip.h"
 #include "adaption/stitch.h"
 #include "apps/frames.h"
@@ -12,6 +14,8 @@
 namespace ease {
 
 namespace {
+
+constexpr double kRecoverySpeed = 4.0;  // m/s: at most, of cloth that got too near to the body
 
 /// Adds the wall time of its scope.
 class Stopwatch {
@@ -80,7 +84,7 @@ class Run {
       body_->prepare(0, samples_);
       body_pins_ = std::make_unique<BodyPins>(body_pinned_, state_.positions, input_.poses.front(), body_->triangles());
     }
-    const Moment start{0, 0.0, 0.0, -1, 0, false, true, options_.series != nullptr};
+    const Moment start{0, 0.0, 0.0, -1, body_ ? 0 : -1, false, true, options_.series != nullptr};
     measure(start);
     if (options_.series) write(start);
   }
@@ -97,9 +101,8 @@ class Run {
     const Stopwatch watch(record_.step_s);
     placePins(moment);
     const StepOptions options{scene_.solver.time_step, scene_.solver.gravity, scene_.collision.stiffness};
-    const StepSummary step = step_.step(state_, options, pins_, [&](const Positions& x, auto& planes) {
-      findContacts(moment, x, planes);
-    });
+    const StepSummary step =
+        step_.step(state_, options, pins_, [&](const Positions& x, auto& planes) { findContacts(moment, x, planes); });
     if (!state_.positions.allFinite()) throw ComputationError("a position is not finite");
     ++record_.steps;
     record_.newton_iterations += step.newton_iterations;
@@ -122,13 +125,14 @@ class Run {
   void findContacts(const Moment& moment, const Positions& x, std::vector<ContactPlane>& planes) {
     if (!body_) return;
     sampleCloth(x, cloth_.triangles(), cloth_.topology().edges, samples_);
-    contacts_.find(body_->at(moment.body), samples_, scene_.collision.offset, planes);
+    contacts_.find(body_->at(moment.body), samples_, scene_.collision.offset, kRecoverySpeed * scene_.solver.time_step,
+                   planes);
   }
 
   void measure(const Moment& moment) {
     const Stopwatch watch(record_.adaption_s);
     measureStretch(cloth_, state_.positions, stretch_);
-    const double limit = scene_.adaption ? scene_.adaption->limit : 0.0;
+    const double limit = scene_.adaption ? scene_.adaption->limit : std::numeric_limits<double>::infinity();
     const StretchStatistics statistics = stretchStatistics(firstStretches(stretch_), limit);
     record_.stretch.measured(statistics);
     if (moment.pose >= 0) {
@@ -139,7 +143,7 @@ class Run {
     if (!body_) return;
     sampleCloth(state_.positions, cloth_.triangles(), cloth_.topology().edges, samples_);
     contacts_.distances(body_->at(moment.body), samples_, distances_);
-    record_.penetration.deepen(distances_, vertex_count_, edge_count_);
+    if (moment.step > 0) record_.penetration.deepen(distances_, vertex_count_, edge_count_);
   }
 
   void adapt() {
@@ -158,7 +162,7 @@ class Run {
       step_.potential().contactPressure(state_.positions, pressure_);
       Frame body_frame;
       body_->positions(moment.body, body_frame.positions);
-      options_.series->body.write(moment.time_s, std::move(body_frame));
+      options_.series->body->write(moment.time_s, std::move(body_frame));
     }
     const GarmentFields fields{stretch_, *options_.first_areas, gap_, pressure_, pins_.vertices};
     options_.series->garment.write(moment.time_s, garmentFrame(cloth_, state_, fields));
@@ -187,6 +191,18 @@ class Run {
 };
 
 }  // namespace
+
+SeriesOfRun::SeriesOfRun(const std::filesystem::path& directory, const Triangles& garment_triangles,
+                         const Triangles& body_triangles)
+    : garment(directory, "garment", garment_triangles), rest(directory, "rest", garment_triangles) {
+  if (body_triangles.rows() > 0) body.emplace(directory, "body", body_triangles);
+}
+
+void SeriesOfRun::finish() {
+  garment.finish();
+  rest.finish();
+  if (body) body->finish();
+}
 
 void runMotion(const Scene& scene, const SceneInput& input, MovingBody* body, Cloth& cloth, const RunOptions& options,
                State& state, PassRecord& record) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "apps/report.h"
 #include "apps/scene.h"
@@ -17,23 +18,25 @@ namespace ease {
 
 /// Where a run's frames go.
 struct SeriesOfRun {
-  Series garment, body, rest;
-  SeriesOfRun(const std::filesystem::path& directory, const Triangles& garment_triangles, const Triangles& body_triangles)
-      : garment(directory, "garment", garment_triangles),
-        body(directory, "body", body_triangles),
-        rest(directory, "rest", garment_triangles) {}
+  Series garment, rest;
+  std::optional<Series> body;
+  /// `body_triangles` may be empty: no body.
+  SeriesOfRun(const std::filesystem::path& directory, const Triangles& garment_triangles,
+              const Triangles& body_triangles);
+  void finish();
 };
 
 struct RunOptions {
-  bool adapting = true;                          // the run that adapts and writes; otherwise a replay
-  SeriesOfRun* series = nullptr;                 // none: nothing written
-  const std::vector<double>* first_areas = nullptr;   // of the first rest shape, m^2
-  std::function<void(const Moment&)> on_step;    // after every step
+  bool adapting = true;                              // the run that adapts and writes; otherwise a replay
+  SeriesOfRun* series = nullptr;                     // none: nothing written
+  const std::vector<double>* first_areas = nullptr;  // of the first rest shape, m^2
+  std::function<void(const Moment&)> on_step;        // after every step
   const std::atomic<bool>* interrupted = nullptr;
 };
 
-/// Runs the cloth from its start shape through the moments, adapting its rest shape if asked to.  `body` may be null.  Fills
-/// the record and leaves the last state, also when it throws ComputationError, with the step and time at which it stopped.
+/// Runs the cloth from its start shape through the moments, adapting its rest shape if asked to.  `body` may be null.
+/// Fills the record and leaves the last state, also when it throws ComputationError, with the step and time at which it
+/// stopped.
 void runMotion(const Scene& scene, const SceneInput& input, MovingBody* body, Cloth& cloth, const RunOptions& options,
                State& state, PassRecord& record);
 

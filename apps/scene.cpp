@@ -131,10 +131,11 @@ SolverScene readSolver(const TomlTable& table, bool has_body) {
 }
 
 CollisionScene readCollision(const TomlTable& table) {
-  table.allow({"offset", "voxel"});
+  table.allow({"offset", "voxel", "stiffness"});
   CollisionScene collision;
   collision.offset = table.number("offset", collision.offset, {0.0, 0.1, false, "m"});
   collision.voxel = table.number("voxel", collision.voxel, {0.0005, 0.1, false, "m"});
+  collision.stiffness = table.number("stiffness", collision.stiffness, {0.0, 1e10, true, "N/m^3"});
   return collision;
 }
 

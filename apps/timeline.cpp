@@ -12,7 +12,9 @@ std::vector<Moment> timeline(const Scene& scene, bool adapting) {
   const bool adapts = adapting && scene.adaption;
   const int motion = timeStepsOfMotion(scene) * (adapts ? scene.adaption->cycles : 1);
   const int count = motion + (adapts ? scene.adaption->settle : 0);
-  const auto bodyAt = [&](int step) { return poses > 1 ? std::min(step, motion) / static_cast<double>(per_pose) : 0.0; };
+  const auto bodyAt = [&](int step) {
+    return poses > 1 ? std::min(step, motion) / static_cast<double>(per_pose) : 0.0;
+  };
 
   std::vector<Moment> moments;
   for (int step = 1; step <= count; ++step) {
@@ -25,8 +27,8 @@ std::vector<Moment> timeline(const Scene& scene, bool adapting) {
     }
     const int every = scene.adaption ? scene.adaption->every : scene.output ? scene.output->every : 8;
     m.adapts = adapts && step % every == 0;
-    m.measured = m.adapts || m.pose >= 0 || step % every == 0 || step == count;
     m.written = adapting && scene.output && (step % scene.output->every == 0 || step == count);
+    m.measured = m.written || m.adapts || m.pose >= 0 || step % every == 0 || step == count;
     moments.push_back(m);
   }
   return moments;

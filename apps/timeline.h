@@ -10,12 +10,12 @@
 namespace ease {
 
 struct Moment {
-  int step;              // 1, 2, ...
+  int step;  // 1, 2, ...
   double time_s;
-  double body;           // s
-  int next_level_set;    // to be prepared while this step is computed, since the next one needs it; -1: none
-  int pose;              // reached now; -1: none
-  bool adapts, measured, written;
+  double body;                     // s
+  int next_level_set;              // to be prepared while this step is computed, since the next one needs it; -1: none
+  int pose;                        // reached now; -1: none
+  bool adapts, measured, written;  // what is written or adapted has been measured
 };
 
 /// `adapting`: the run that adapts, with its cycles and its settling; otherwise once through the motion.

@@ -22,9 +22,9 @@ namespace {
 
 using namespace ease;
 
-constexpr double kWithin = 0.005;         // m: errors are taken this near to the surface
-constexpr double kMarginInVoxels = 0.3;   // samples may move this far until the next pose
-constexpr double kSway = 0.004;           // m: by which the body moves from one pose to the next
+constexpr double kWithin = 0.005;        // m: errors are taken this near to the surface
+constexpr double kMarginInVoxels = 0.3;  // samples may move this far until the next pose
+constexpr double kSway = 0.004;          // m: by which the body moves from one pose to the next
 
 struct Subject {
   std::string name;
@@ -66,8 +66,8 @@ std::vector<Subject> scans(const std::filesystem::path& data) {
 /// A sleeve 5 mm off a limb, as many triangles and samples as a scan and a shirt have.
 std::vector<Subject> capsules() {
   const double half_length = 0.4, radius = 0.15;
-  TriangleMesh sleeve = bodies::capsule(half_length, radius + 0.005, 28);
-  return {{"capsule/sleeve", bodies::capsule(half_length, radius, 82), samplesOf(sleeve, "sleeve")}};
+  TriangleMesh sleeve = bodies::capsule(half_length, radius + 0.005, 18);
+  return {{"capsule/sleeve", bodies::capsule(half_length, radius, 48), samplesOf(sleeve, "sleeve")}};
 }
 
 /// Points within 5 mm of the surface, each beside the one nearest to a sample.
@@ -120,9 +120,8 @@ void sampleAll(benchmark::State& state, const Subject& subject, double voxel) {
   level_set.build(tree, subject.samples, kMarginInVoxels * voxel);
   std::vector<LevelSetSample> samples(subject.samples.size());
   for (auto _ : state) level_set.sample(subject.samples, samples);
-  state.counters["per_sample"] =
-      benchmark::Counter(static_cast<double>(samples.size()),
-                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_sample"] = benchmark::Counter(
+      static_cast<double>(samples.size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 /// Prints the errors; false where one exceeds its bound, which holds for 1 cm and grows with the voxel.
@@ -134,10 +133,11 @@ bool checkErrors(const Subject& subject, double voxel) {
   const double scale = std::max(1.0, voxel / 0.01);
   const bool good = e.median <= kBound.median * scale && e.p95 <= kBound.p95 * scale && e.max <= kBound.max * scale &&
                     e.wrong_signs <= kBound.wrong_signs * scale;
-  fmt::print("{}, voxel {} mm, {} points within {} mm: error median {:.3f}, p95 {:.3f}, max {:.3f} mm; "
-             "{:.2f} % wrong signs: {}\n",
-             subject.name, 1e3 * voxel, points.size(), 1e3 * kWithin, e.median, e.p95, e.max, 100.0 * e.wrong_signs,
-             good ? "within bounds" : "OUT OF BOUNDS");
+  fmt::print(
+      "{}, voxel {} mm, {} points within {} mm: error median {:.3f}, p95 {:.3f}, max {:.3f} mm; "
+      "{:.2f} % wrong signs: {}\n",
+      subject.name, 1e3 * voxel, points.size(), 1e3 * kWithin, e.median, e.p95, e.max, 100.0 * e.wrong_signs,
+      good ? "within bounds" : "OUT OF BOUNDS");
   return good;
 }
 
@@ -168,12 +168,16 @@ int main(int argc, char** argv) try {
   bool good = true;
   for (const Subject& subject : subjects) {
     good = checkErrors(subject, voxel) && good;
-    benchmark::RegisterBenchmark(("pose/" + subject.name).c_str(), [&](benchmark::State& state) {
-      preparePose(state, subject, voxel);
-    })->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
-    benchmark::RegisterBenchmark(("sample/" + subject.name).c_str(), [&](benchmark::State& state) {
-      sampleAll(state, subject, voxel);
-    })->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+    benchmark::RegisterBenchmark(("pose/" + subject.name).c_str(),
+                                 [&](benchmark::State& state) { preparePose(state, subject, voxel); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime()
+        ->MeasureProcessCPUTime();
+    benchmark::RegisterBenchmark(("sample/" + subject.name).c_str(),
+                                 [&](benchmark::State& state) { sampleAll(state, subject, voxel); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime()
+        ->MeasureProcessCPUTime();
   }
   benchmark::RunSpecifiedBenchmarks();
   return good ? 0 : 1;

@@ -8,17 +8,19 @@ namespace {
 
 constexpr int kGrain = 2048;
 constexpr double kReach = 2e-3;           // m beyond the offset: planes that a correction of the step may yet meet
+constexpr double kGive = 0.4;             // of the room there is: how far the cloth may easily sink in
+constexpr double kLeastGive = 2e-4;       // m
 constexpr double kStill = 1e-5;           // m: motion of the body too small to be worth a second look
 constexpr double kRidgeTolerance = 2e-4;  // m: error of the level set's interpolation, not to be taken for a ridge
 
-// Motion of the body's triangle since the pose of the level set, m.
+// Motion of the body's triangle from the pose of the level set towards the other, m.
 Vec3 motionOf(const BodyMoment& body, int triangle) {
   Vec3 motion = Vec3::Zero();
   for (int a = 0; a < 3; ++a) {
     const int v = (*body.triangles)(triangle, a);
     motion += (body.towards->row(v) - body.at->row(v)).transpose();
   }
-  return body.tau / 3.0 * motion;
+  return motion / 3.0;
 }
 
 }  // namespace
@@ -50,7 +52,7 @@ void ContactFinder::lookUp(const BodyMoment& body, std::span<const Vec3> samples
   chosen_points_.clear();
   for (int s = 0; s < static_cast<int>(samples.size()); ++s) {
     if (found_[s].triangle < 0) continue;
-    const Vec3 motion = motionOf(body, found_[s].triangle);
+    const Vec3 motion = body.tau * motionOf(body, found_[s].triangle);
     if (motion.squaredNorm() < kStill * kStill) continue;
     chosen_.push_back(s);
     chosen_points_.push_back(samples[s] - motion);
@@ -79,24 +81,37 @@ void Penetration::deepen(const std::vector<double>& sample_distances, int vertex
   }
 }
 
-void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, double offset,
+void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, double offset, double most_recovery,
                          std::vector<ContactPlane>& planes) {
   lookUp(body, samples);
   found_at_.assign(samples.begin(), samples.end());
   planes.resize(samples.size());
+  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
+    const LevelSetSample& here = found_[s];
+    planes[s] = {};
+    if (here.triangle < 0 || here.phi > offset + kReach) return;
+    planes[s].normal = here.normal;
+    planes[s].offset = here.normal.dot(samples[s]) + offset - here.phi;
+    planes[s].give = std::max(kLeastGive, kGive * offset);
+  });
+  makeRoom(body, samples, offset, planes);
+  // No plane asks for more in one step than this: cloth that got too deep is moved out, not shot out.
+  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
+    const double excess = planes[s].depth(samples[s]) - most_recovery;
+    if (excess > 0.0) planes[s].offset -= excess;
+  });
+}
 
+void ContactFinder::makeRoom(const BodyMoment& body, std::span<const Vec3> samples, double offset,
+                             std::vector<ContactPlane>& planes) {
   // Samples that must move out by d = offset - phi: would they get there, or meet another part of the body?
   chosen_.clear();
   chosen_points_.clear();
   for (int s = 0; s < static_cast<int>(samples.size()); ++s) {
     const LevelSetSample& here = found_[s];
-    planes[s] = {};
-    if (here.triangle < 0 || here.phi > offset + kReach) continue;
-    planes[s] = {here.normal, here.normal.dot(samples[s]) + offset - here.phi};
-    if (here.phi > offset - kRidgeTolerance) continue;
-    const Vec3 motion = body.tau == 0.0 ? Vec3(Vec3::Zero()) : motionOf(body, here.triangle);
+    if (here.triangle < 0 || here.phi > offset - kRidgeTolerance) continue;
     chosen_.push_back(s);
-    chosen_points_.push_back(samples[s] - motion + (offset - here.phi) * here.normal);
+    chosen_points_.push_back(samples[s] - body.tau * motionOf(body, here.triangle) + (offset - here.phi) * here.normal);
   }
   ahead_.resize(chosen_.size());
   body.level_set->sample(chosen_points_, ahead_);
@@ -104,10 +119,15 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
     const LevelSetSample &here = found_[chosen_[k]], &there = ahead_[k];
     const double d = offset - here.phi;
     if (there.phi > offset - kRidgeTolerance - 0.1 * d) continue;
-    // Along the normal the distance to this part grows by 1, that to the other one by c: where do they meet?
-    const double c = there.normal.dot(here.normal);
-    const double middle = (there.phi - d * c - here.phi) / std::max(1.0 - c, 1e-3);
-    planes[chosen_[k]].offset += std::clamp(middle, 0.0, d) - d;
+    // Along the normal the distance to this part grows by 1, that to the other one by c <= 0: where do they meet?  Not
+    // before the surface, which is -phi away.  Near the middle itself the normal may point along it, c > 0: with
+    // c = 0 the way is what distance there is to gain.
+    const double c = std::min(0.0, there.normal.dot(here.normal));
+    const double middle = (there.phi - d * c - here.phi) / (1.0 - c);
+    const double way = std::clamp(middle, std::max(0.0, -here.phi), d);
+    planes[chosen_[k]].offset += way - d;
+    planes[chosen_[k]].give = std::max(kLeastGive, kGive * (here.phi + way));
+    planes[chosen_[k]].held = true;
   }
 }
 

@@ -2,11 +2,12 @@
 //
 //   gap = phi(x) - offset, m     offset: comfort, the least distance that the garment keeps from the body
 //
-// A level set stands for its pose; between poses it is carried along with the body's motion: at time tau after it, a point x is looked up
-// where the body's surface near it came from, x - tau u.
+// A level set stands for its pose; between poses it is carried along with the body's motion: at time tau after it, a
+// point x is looked up where the body's surface near it came from, x - tau u.
 //
-// Where two parts of the body are nearer to each other than twice the offset (a closed armpit), no point is an offset away from both, and
-// a plane that asks for it would throw the cloth from one part to the other, step after step.  There the plane asks for the middle.
+// Where two parts of the body are nearer to each other than twice the offset (a closed armpit), no point is an offset
+// away from both, and a plane that asks for it would throw the cloth from one part to the other, step after step. There
+// the plane asks for the middle, and holds the cloth there from both sides.
 #pragma once
 
 #include <span>
@@ -25,10 +26,10 @@ void sampleCloth(const Positions& x, const Triangles& triangles, const std::vect
 /// The body around the pose that a level set was made of.
 struct BodyMoment {
   LevelSet* level_set;
-  const Triangles* triangles;   // of the body
-  const Positions* at;          // the pose of the level set
-  const Positions* towards;     // the pose before or after it, towards which tau counts
-  double tau = 0.0;             // how far the body has moved from `at` to `towards`, 0 to 1
+  const Triangles* triangles;  // of the body
+  const Positions* at;         // the pose of the level set
+  const Positions* towards;    // the pose before or after it, towards which tau counts
+  double tau = 0.0;            // how far the body has moved from `at` to `towards`, 0 to 1
 };
 
 /// How deep the cloth is in the body, m; 0 where outside.
@@ -39,21 +40,26 @@ struct Penetration {
 
 class ContactFinder {
  public:
-  /// A plane for each of the samples; those nearer than `reach` (m) beyond the offset get a normal.
-  void find(const BodyMoment& body, std::span<const Vec3> samples, double offset, std::vector<ContactPlane>& planes);
+  /// A plane for each of the samples that touches the body or nearly does.  A plane lies at most `most_recovery` (m)
+  /// above its sample.
+  void find(const BodyMoment& body, std::span<const Vec3> samples, double offset, double most_recovery,
+            std::vector<ContactPlane>& planes);
 
   /// Signed distance of each sample to the body, m.
   void distances(const BodyMoment& body, std::span<const Vec3> samples, std::vector<double>& distances);
 
-  /// The same to first order and for nothing, where the samples have moved a little since the last find() at this moment.
+  /// The same to first order and for nothing, where the samples have moved a little since the last find() at this
+  /// moment.
   void distancesSinceFind(std::span<const Vec3> samples, std::vector<double>& distances) const;
 
  private:
   void lookUp(const BodyMoment& body, std::span<const Vec3> samples);
+  void makeRoom(const BodyMoment& body, std::span<const Vec3> samples, double offset,
+                std::vector<ContactPlane>& planes);
 
   std::vector<LevelSetSample> found_, ahead_;
   std::vector<Vec3> found_at_;
-  std::vector<int> chosen_;              // samples looked up a second time
+  std::vector<int> chosen_;  // samples looked up a second time
   std::vector<Vec3> chosen_points_;
 };
 

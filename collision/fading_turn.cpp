@@ -35,7 +35,9 @@ double turnWeight(const FadingTurn& turn, const Vec3& x) {
 }
 
 Vec3 turned(const FadingTurn& turn, const Vec3& x) {
-  return turn.joint + rotation(turn.turn, turnWeight(turn, x)) * (x - turn.joint);
+  const double weight = turnWeight(turn, x);
+  if (weight == 0.0) return x;  // to the last bit
+  return turn.joint + rotation(turn.turn, weight) * (x - turn.joint);
 }
 
 Eigen::Isometry3d wholeTurn(const FadingTurn& turn) {

@@ -9,6 +9,7 @@
 
 #include "collision/self_overlap.h"
 #include "collision/triangle_tree_data.h"
+#include "collision/voxel_marks.h"
 #include "solver/linear/parallel.h"
 #include "solver/mesh/error.h"
 
@@ -35,35 +36,32 @@ struct Voxel {
   int offset;
 };
 
-/// Marks the corners from `low` to `high` within one leaf.  A row of eight along z is a byte, a slab of eight rows a
-/// word.
-void markWithinLeaf(Leaf& leaf, const Coord& low, const Coord& high) {
-  const std::uint64_t row = (0xffull >> (kSide - 1 - (high[2] - low[2]))) << (low[2] & (kSide - 1));
-  std::uint64_t slab = 0;
-  for (int y = low[1]; y <= high[1]; ++y) slab |= row << (kSide * (y & (kSide - 1)));
-  for (int x = low[0]; x <= high[0]; ++x) leaf.getValueMask().getWord<std::uint64_t>(x & (kSide - 1)) |= slab;
-}
+/// The voxel that a sample lies in; corner 4 i + 2 j + k is i, j, k steps up along x, y, z from the lowest.
+struct Surroundings {
+  float within[3];  // where the sample lies between the lowest corner, 0, and the highest, 1
+  float phi[8];     // m
+  const Corner* corner[8];
+};
 
-/// Calls visit(low, high) for the parts of the range that lie in one leaf each.
-template <class Visit>
-void splitByLeaf(const Coord& low, const Coord& high, const Visit& visit) {
-  const auto end = [](int at, int last) { return std::min(at | (kSide - 1), last); };
-  for (int x = low[0]; x <= high[0]; x = end(x, high[0]) + 1)
-    for (int y = low[1]; y <= high[1]; y = end(y, high[1]) + 1)
-      for (int z = low[2]; z <= high[2]; z = end(z, high[2]) + 1)
-        visit(Coord(x, y, z), Coord(end(x, high[0]), end(y, high[1]), end(z, high[2])));
+/// Of the corners one step before along z, y or x that are filled, the first; -1: none.
+int filledNeighbour(const Leaf& leaf, int offset) {
+  for (int step = 1; step < kSide * kSide * kSide; step *= kSide)
+    if ((offset / step) % kSide > 0 && leaf.isValueOn(static_cast<openvdb::Index>(offset - step))) return offset - step;
+  return -1;
 }
 
 }  // namespace
 
 struct LevelSet::Data {
   LevelSetOptions options;
+  double per_voxel;    // 1/m
   double corner_band;  // m: of a sample within the band, no corner is further from the surface
+  VoxelMarks marks;
   openvdb::FloatGrid::Ptr grid;
   std::vector<Leaf*> leaves;    // leaf l has transientData() l
   std::vector<Corner> corners;  // of leaf l: corners[512 l] ... in the order of its buffer
   const TriangleTree* body = nullptr;
-  Eigen::AlignedBox3d reach;  // outside, every distance is beyond the band
+  Eigen::AlignedBox3d reach;                   // outside, every distance is beyond the band
   std::vector<unsigned char> nearest_to_some;  // of the body's triangles: whether it is nearest to a corner
   SelfOverlap overlap;
   long filled_on_demand = 0;
@@ -72,19 +70,18 @@ struct LevelSet::Data {
 
   Vec3 position(const Coord& corner) const { return options.voxel * Vec3(corner[0], corner[1], corner[2]); }
   Coord cell(const Vec3& x) const {
-    const Vec3 index = (x / options.voxel).array().floor();
-    return Coord(static_cast<int>(index[0]), static_cast<int>(index[1]), static_cast<int>(index[2]));
+    const auto floor = [&](int axis) { return static_cast<int>(std::floor(x[axis] * per_voxel)); };
+    return Coord(floor(0), floor(1), floor(2));
   }
 
-  void mark(std::span<const Vec3> points, double margin);
-  void collectLeaves();
+  void createLeaves();
   void fillLeaf(Leaf& leaf);
   void resolveOverlap();
   void fillVoxel(const Voxel& voxel);
   void store(const Voxel& voxel, const Vec3& x, const ClosestPoint& found);
   void demand(const Coord& corner, openvdb::tree::ValueAccessor<Tree, false>& accessor);
   LevelSetSample sampleAt(const Vec3& x, Accessor& accessor) const;
-  LevelSetSample blend(const float (&phi)[8], const Corner* const (&corner)[8], const Vec3& within) const;
+  LevelSetSample blend(const Surroundings& around) const;
 };
 
 LevelSet::LevelSet(const LevelSetOptions& options) : data_(std::make_unique<Data>()) {
@@ -93,6 +90,7 @@ LevelSet::LevelSet(const LevelSetOptions& options) : data_(std::make_unique<Data
   if (!(options.band > 0.0 && std::isfinite(options.band)))
     throw InputError(fmt::format("level set: band = {} m, must be positive", options.band));
   data_->options = options;
+  data_->per_voxel = 1.0 / options.voxel;
   data_->corner_band = options.band + std::sqrt(3.0) * options.voxel;
   data_->grid = openvdb::FloatGrid::create(kUnfilled);
   data_->grid->setTransform(openvdb::math::Transform::createLinearTransform(options.voxel));
@@ -104,6 +102,8 @@ LevelSet& LevelSet::operator=(LevelSet&&) noexcept = default;
 
 void LevelSet::build(const TriangleTree& body, std::span<const Vec3> points, double margin) {
   Data& data = *data_;
+  for (size_t i = 0; i < points.size(); ++i)
+    if (!points[i].allFinite()) throw ComputationError(fmt::format("level set: point {} is not finite", i));
   data.body = &body;
   data.filled_on_demand = 0;
   data.reach = body.bounds();
@@ -112,56 +112,41 @@ void LevelSet::build(const TriangleTree& body, std::span<const Vec3> points, dou
     data.reach.max().array() += data.options.band;
   }
   data.grid->tree().clear();
-  data.mark(points, margin);
-  data.collectLeaves();
+  data.marks.mark(points, margin, data.options.voxel, data.reach);
+  data.createLeaves();
   data.nearest_to_some.assign(body.data().triangles.rows(), 0);
   parallelFor(static_cast<int>(data.leaves.size()), 1, [&](int l) { data.fillLeaf(*data.leaves[l]); });
   data.resolveOverlap();
 }
 
-void LevelSet::Data::mark(std::span<const Vec3> points, double margin) {
-  openvdb::tree::ValueAccessor<Tree, false> accessor(grid->tree());
-  const Vec3 around = Vec3::Constant(margin);
-  for (size_t i = 0; i < points.size(); ++i) {
-    const Vec3& x = points[i];
-    if (!x.allFinite()) throw ComputationError(fmt::format("level set: point {} is not finite", i));
-    const Eigen::AlignedBox3d needed = Eigen::AlignedBox3d(x - around, x + around).intersection(reach);
-    if (needed.isEmpty()) continue;
-    splitByLeaf(cell(needed.min()), cell(needed.max()) + Coord(1),
-                [&](const Coord& low, const Coord& high) { markWithinLeaf(*accessor.touchLeaf(low), low, high); });
-  }
-}
-
-void LevelSet::Data::collectLeaves() {
+void LevelSet::Data::createLeaves() {
   leaves.clear();
-  grid->tree().getNodes(leaves);
-  for (size_t l = 0; l < leaves.size(); ++l) leaves[l]->setTransientData(static_cast<openvdb::Index32>(l));
+  for (const MarkedBlock& block : marks.blocks()) {
+    Leaf* leaf = grid->tree().touchLeaf(Coord(block.origin[0], block.origin[1], block.origin[2]));
+    for (int x = 0; x < kSide; ++x) leaf->getValueMask().getWord<std::uint64_t>(x) = block.corners[x];
+    leaf->setTransientData(static_cast<openvdb::Index32>(leaves.size()));
+    leaves.push_back(leaf);
+  }
   corners.resize(leaves.size() * Leaf::SIZE);
 }
 
 /// Distances signed by the pseudonormals, which is right but where the surface overlaps itself.
 void LevelSet::Data::fillLeaf(Leaf& leaf) {
-  int hint = -1;
-  bool last_beyond = false;
-  double last_phi = 0.0;
-  Vec3 last_x;
+  const Corner* filled = &corners[leaf.transientData() * size_t{Leaf::SIZE}];
+  const float* phi = leaf.buffer().data();
   for (auto on = leaf.getValueMask().beginOn(); on; ++on) {
+    const int offset = static_cast<int>(on.pos()), before = filledNeighbour(leaf, offset);
     const Vec3 x = position(leaf.offsetToGlobalCoord(on.pos()));
-    ClosestPoint found = body->closest(x, corner_band, hint);
+    ClosestPoint found = body->closest(x, corner_band, before >= 0 ? filled[before].triangle : -1);
     if (found.triangle >= 0) {
       if ((x - found.point).dot(found.pseudonormal) < 0.0) found.distance = -found.distance;
       std::atomic_ref(nearest_to_some[found.triangle]).store(1, std::memory_order_relaxed);
-      hint = found.triangle;
-      last_beyond = false;
     } else {
-      // From a corner with nothing within the band the surface is not crossed on the way to one less than the band away.
-      const bool same_side = last_beyond && (x - last_x).norm() < corner_band;
-      found.distance = same_side ? last_phi : (body->windingNumber(x) > 0 ? -corner_band : corner_band);
-      last_beyond = true;
-      last_phi = found.distance;
-      last_x = x;
+      // The way from one corner to the next, which is shorter than the band, does not cross the surface.
+      const bool known = before >= 0 && filled[before].triangle < 0;
+      if (known ? phi[before] < 0.0f : body->windingNumber(x) > 0) found.distance = -found.distance;
     }
-    store({&leaf, static_cast<int>(on.pos())}, x, found);
+    store({&leaf, offset}, x, found);
   }
 }
 
@@ -200,57 +185,56 @@ void LevelSet::Data::store(const Voxel& voxel, const Vec3& x, const ClosestPoint
 
 LevelSetSample LevelSet::Data::sampleAt(const Vec3& x, Accessor& accessor) const {
   if (!reach.contains(x)) return {x.allFinite() ? options.band : kUnfilled, Vec3::Zero(), -1};
+  const Vec3 index = x * per_voxel;
   const Coord low = cell(x);
-  float phi[8];
+  Surroundings around;
+  for (int axis = 0; axis < 3; ++axis) around.within[axis] = static_cast<float>(index[axis] - low[axis]);
+  // Bits of the axes along which the upper corners lie in the next leaf; a corner's leaf is that of the first with its
+  // bits.
+  int crossed = 0;
+  for (int axis = 0; axis < 3; ++axis) crossed |= (low[axis] & (kSide - 1)) == kSide - 1 ? 4 >> axis : 0;
+  const float* phi[8];
   const Corner* corner[8];
-  const auto gather = [&](const Leaf* leaf, int c, openvdb::Index offset) {
-    phi[c] = leaf ? leaf->buffer().data()[offset] : kUnfilled;
-    corner[c] = leaf ? &corners[leaf->transientData() * Leaf::SIZE + offset] : nullptr;
-  };
-  const bool within_leaf =
-      (low[0] & (kSide - 1)) < kSide - 1 && (low[1] & (kSide - 1)) < kSide - 1 && (low[2] & (kSide - 1)) < kSide - 1;
-  const Leaf* leaf = accessor.probeConstLeaf(low);
-  const openvdb::Index first = Leaf::coordToOffset(low);
   for (int c = 0; c < 8; ++c) {
-    const int i = c >> 2, j = (c >> 1) & 1, k = c & 1;
-    if (within_leaf) {
-      gather(leaf, c, first + i * kSide * kSide + j * kSide + k);
-    } else {
-      const Coord at = low.offsetBy(i, j, k);
-      gather(accessor.probeConstLeaf(at), c, Leaf::coordToOffset(at));
+    const Coord at = low.offsetBy(c >> 2, (c >> 1) & 1, c & 1);
+    const int first = c & crossed;
+    if (first == c) {
+      const Leaf* leaf = accessor.probeConstLeaf(at);
+      if (!leaf) return {kUnfilled, Vec3::Zero(), -1};
+      phi[c] = leaf->buffer().data();
+      corner[c] = &corners[leaf->transientData() * size_t{Leaf::SIZE}];
     }
+    const openvdb::Index offset = Leaf::coordToOffset(at);
+    around.phi[c] = phi[first][offset];
+    around.corner[c] = corner[first] + offset;
+    if (std::isnan(around.phi[c])) return {kUnfilled, Vec3::Zero(), -1};
   }
-  for (float value : phi)
-    if (std::isnan(value)) return {kUnfilled, Vec3::Zero(), -1};
-  return blend(phi, corner, x / options.voxel - Vec3(low[0], low[1], low[2]));
+  return blend(around);
 }
 
-/// `within`: where the sample lies in its voxel, from 0 to 1 along each axis.
-LevelSetSample LevelSet::Data::blend(const float (&phi)[8], const Corner* const (&corner)[8], const Vec3& within) const {
-  float sum = 0.0f, slope = 0.0f, greatest = -1.0f;
-  float n[3] = {0.0f, 0.0f, 0.0f};
-  const float f[3] = {static_cast<float>(within[0]), static_cast<float>(within[1]), static_cast<float>(within[2])};
-  const Corner* nearest = nullptr;
+LevelSetSample LevelSet::Data::blend(const Surroundings& around) const {
+  const float* f = around.within;
+  const float along_x[2] = {1.0f - f[0], f[0]}, along_y[2] = {1.0f - f[1], f[1]}, along_z[2] = {1.0f - f[2], f[2]};
+  float sum = 0.0f, slope = 0.0f, n[3] = {0.0f, 0.0f, 0.0f};
   for (int c = 0; c < 8; ++c) {
-    if (corner[c]->triangle < 0) return {std::copysign(options.band, phi[c]), Vec3::Zero(), -1};
-    const float i = static_cast<float>(c >> 2), j = static_cast<float>((c >> 1) & 1), k = static_cast<float>(c & 1);
-    const float weight = std::abs(1.0f - i - f[0]) * std::abs(1.0f - j - f[1]) * std::abs(1.0f - k - f[2]);
-    const float* g = corner[c]->gradient;
-    sum += weight * phi[c];
+    const int i = c >> 2, j = (c >> 1) & 1, k = c & 1;
+    const Corner& corner = *around.corner[c];
+    if (corner.triangle < 0) return {std::copysign(options.band, around.phi[c]), Vec3::Zero(), -1};
+    const float* g = corner.gradient;
+    const float weight = along_x[i] * along_y[j] * along_z[k];
+    sum += weight * around.phi[c];
     slope += weight * (g[0] * (f[0] - i) + g[1] * (f[1] - j) + g[2] * (f[2] - k));
     for (int axis = 0; axis < 3; ++axis) n[axis] += weight * g[axis];
-    if (weight > greatest) {
-      greatest = weight;
-      nearest = corner[c];
-    }
   }
   const double distance = sum + 0.5 * options.voxel * slope;
   if (std::abs(distance) >= options.band) return {std::copysign(options.band, distance), Vec3::Zero(), -1};
+  const Corner& nearest = *around.corner[(f[0] > 0.5f ? 4 : 0) + (f[1] > 0.5f ? 2 : 0) + (f[2] > 0.5f ? 1 : 0)];
   Vec3 normal(n[0], n[1], n[2]);
   // Where two sides of the surface are equally near, their gradients cancel and what is left points nowhere.
   constexpr double kCancelled = 0.1;
-  if (normal.norm() < kCancelled) normal = Vec3(nearest->gradient[0], nearest->gradient[1], nearest->gradient[2]);
-  return {distance, normal.normalized(), nearest->triangle};
+  if (normal.squaredNorm() < kCancelled * kCancelled)
+    normal = Vec3(nearest.gradient[0], nearest.gradient[1], nearest.gradient[2]);
+  return {distance, normal.normalized(), nearest.triangle};
 }
 
 void LevelSet::sample(std::span<const Vec3> points, std::span<LevelSetSample> samples) {
@@ -295,8 +279,7 @@ void LevelSet::Data::demand(const Coord& corner, openvdb::tree::ValueAccessor<Tr
 
 size_t LevelSet::memoryBytes() const {
   return data_->grid->tree().memUsage() + data_->corners.capacity() * sizeof(Corner) +
-         data_->leaves.capacity() * sizeof(Leaf*) + data_->nearest_to_some.capacity() +
-         data_->overlap.memoryBytes();
+         data_->leaves.capacity() * sizeof(Leaf*) + data_->nearest_to_some.capacity() + data_->overlap.memoryBytes();
 }
 
 long LevelSet::filledVoxels() const {

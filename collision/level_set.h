@@ -8,8 +8,8 @@
 //
 // The errors of trilinear interpolation (phi_i alone) and of blended tangent planes (the whole of g_i) are equal and
 // opposite to second order; their mean is of third order where phi is smooth.  A sparse grid holds phi; its unfilled
-// corners are NaN, so that a sample that needs one shows itself.  Corners are searched as far as band + sqrt(3) voxels, so
-// that all eight of a sample within the band are exact.  The body is the union of all that its surface encloses.
+// corners are NaN, so that a sample that needs one shows itself.  Corners are searched as far as band + sqrt(3) voxels,
+// so that all eight of a sample within the band are exact.  The body is the union of all that its surface encloses.
 #pragma once
 
 #include <memory>
@@ -40,16 +40,17 @@ class LevelSet {
   LevelSet& operator=(LevelSet&&) noexcept;
 
   /// Distances to `body` at the corners of all voxels within `margin` (m) of the points.  Replaces what was there; the
-  /// tree must stay as it is for as long as this level set is sampled.  Throws ComputationError where a point is not finite.
+  /// tree must stay as it is for as long as this level set is sampled.  Throws ComputationError where a point is not
+  /// finite.
   void build(const TriangleTree& body, std::span<const Vec3> points, double margin);
 
-  /// Samples the points in parallel; voxels that build() did not foresee are filled first, to the same values.  Not to be
-  /// called from two threads at once, nor before build().  Throws ComputationError where a point is not finite.
+  /// Samples the points in parallel; voxels that build() did not foresee are filled first, to the same values.  Not to
+  /// be called from two threads at once, nor before build().  Throws ComputationError where a point is not finite.
   void sample(std::span<const Vec3> points, std::span<LevelSetSample> samples);
 
   size_t memoryBytes() const;
-  long filledVoxels() const;         // corners that hold a distance
-  long filledOnDemand() const;       // of these, those that sample() had to fill since build()
+  long filledVoxels() const;          // corners that hold a distance
+  long filledOnDemand() const;        // of these, those that sample() had to fill since build()
   long overlappingTriangles() const;  // of the body near the points: they cross others or lie within the body
 
  private:

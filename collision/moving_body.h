@@ -19,7 +19,8 @@ namespace ease {
 class MovingBody {
  public:
   /// `steps`: interpolation steps from a pose to the next.  One pose: a body that does not move.
-  MovingBody(const Triangles& triangles, const std::vector<Positions>& poses, int steps, const LevelSetOptions& options);
+  MovingBody(const Triangles& triangles, const std::vector<Positions>& poses, int steps,
+             const LevelSetOptions& options);
 
   const Triangles& triangles() const { return triangles_; }
   /// Interpolation steps from the first pose to the last.
@@ -59,8 +60,8 @@ class MovingBody {
   double margin_;  // m
   Positions first_;
   std::vector<PoseInterpolation> interpolations_;
-  std::array<Slot, 4> poses_;           // pose k in slot k mod 4
-  std::vector<Prepared> prepared_;      // L_k in k mod 2
+  std::array<Slot, 4> poses_;       // pose k in slot k mod 4
+  std::vector<Prepared> prepared_;  // L_k in k mod 2
   Times times_;
 };
 

@@ -5,8 +5,8 @@
 // gradients are nearest to these solve the gradient system (gradient_system.h).  Both poses come out exactly at their
 // ends.
 //
-// Rotation vectors near a half turn are ambiguous; each triangle takes the branch nearest to a neighbour's, spreading from the triangle that
-// turns least, so that the surface does not tear where an arm turns by more than 180 degrees.
+// Rotation vectors near a half turn are ambiguous; each triangle takes the branch nearest to a neighbour's, spreading
+// from the triangle that turns least, so that the surface does not tear where an arm turns by more than 180 degrees.
 #pragma once
 
 #include "solver/linear/gradient_system.h"
@@ -29,9 +29,9 @@ class PoseInterpolation {
   void unwindRotations(const Triangles& triangles);
 
   struct Part {
-    int anchor;                   // vertex that moves least
-    std::vector<int> steady;      // the half of its vertices that moves least: its mean goes straight
-    Vec3 from, to;                // that mean at either end
+    int anchor;               // vertex that moves least
+    std::vector<int> steady;  // the half of its vertices that moves least: its mean goes straight
+    Vec3 from, to;            // that mean at either end
   };
 
   Triangles triangles_;

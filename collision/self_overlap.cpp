@@ -57,7 +57,7 @@ bool crossFromVertex(const Corners& s, int s_corner, const Corners& t, int t_cor
          pierces(t[(t_corner + 1) % 3], t[(t_corner + 2) % 3], s);
 }
 
-bool cross(const TriangleTree::Data& tree, int s, int t, const std::vector<unsigned char>& folded) {
+bool cross(const TriangleTree::Data& tree, int s, int t) {
   int common = 0, s_corner = 0, t_corner = 0;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
@@ -66,9 +66,25 @@ bool cross(const TriangleTree::Data& tree, int s, int t, const std::vector<unsig
         s_corner = i;
         t_corner = j;
       }
-  if (common > 1 || (common == 1 && !folded[tree.triangles(s, s_corner)])) return false;
+  if (common > 1) return false;
   const Corners a = cornersOf(tree, s), b = cornersOf(tree, t);
   return common == 0 ? meet(a, b, 1e-6 * tree.slack) : crossFromVertex(a, s_corner, b, t_corner);
+}
+
+/// Lanes of `leaf` whose triangles have no vertex in common with triangle k of `other`.  Vertices that differ have bits
+/// that differ; a least difference of zero is a common vertex.
+unsigned withoutCommonVertex(const TreeLeaf& leaf, const TreeLeaf& other, int k) {
+  const unsigned a = other.vertex[0][k], b = other.vertex[1][k], c = other.vertex[2][k];
+  const auto least = [](unsigned s, unsigned t) { return s < t ? s : t; };
+  unsigned lanes = 0;
+  for (int j = 0; j < kWidth; ++j) {
+    const unsigned u = leaf.vertex[0][j], v = leaf.vertex[1][j], w = leaf.vertex[2][j];
+    const unsigned of_u = least(least(u ^ a, u ^ b), u ^ c);
+    const unsigned of_v = least(least(v ^ a, v ^ b), v ^ c);
+    const unsigned of_w = least(least(w ^ a, w ^ b), w ^ c);
+    lanes |= least(least(of_u, of_v), of_w) != 0 ? kLaneBit[j] : 0u;
+  }
+  return lanes;
 }
 
 /// Boxes of the leaf's triangles.
@@ -96,24 +112,33 @@ unsigned cutByPlane(const TreeLeaf& leaf, const TreeLeaf& other, int k, float sl
   return lanes;
 }
 
-/// Calls report(s, t) for the triangles s of leaf l and t of leaf m that cross, each pair once.
+struct LeafBoxes {
+  alignas(32) Lanes3 low, high;
+};
+
+/// Calls report(s, t) for the triangles s of leaf l, which have the given boxes, and t of leaf m that cross; each pair
+/// once. `folded`: vertices whose triangles may cross each other.
 template <class Report>
-void crossLeaves(const TriangleTree::Data& tree, int l, int m, const std::vector<unsigned char>& folded,
-                 const Report& report) {
+void crossLeaves(const TriangleTree::Data& tree, int l, const LeafBoxes& boxes, int m,
+                 const std::vector<unsigned char>& folded, const Report& report) {
   const TreeLeaf &first = tree.leaves[l], &second = tree.leaves[m];
-  alignas(32) Lanes3 low, high, other_low, other_high;
-  triangleBoxes(first, low, high);
-  triangleBoxes(second, other_low, other_high);
-  for (unsigned near = overlappingLanes(low, high, second.box, tree.slack); near != 0; near &= near - 1) {
+  unsigned near = overlappingLanes(boxes.low, boxes.high, second.box, tree.slack) & ((1u << first.count) - 1u);
+  if (near == 0) return;
+  LeafBoxes others;
+  triangleBoxes(second, others.low, others.high);
+  for (; near != 0; near &= near - 1) {
     const int k = __builtin_ctz(near);
-    if (k >= first.count) break;
-    const FloatBox box{{low[0][k], low[1][k], low[2][k]}, {high[0][k], high[1][k], high[2][k]}};
-    unsigned candidates = overlappingLanes(other_low, other_high, box, tree.slack) & ((1u << second.count) - 1u);
+    const FloatBox box{{boxes.low[0][k], boxes.low[1][k], boxes.low[2][k]},
+                       {boxes.high[0][k], boxes.high[1][k], boxes.high[2][k]}};
+    unsigned candidates = overlappingLanes(others.low, others.high, box, tree.slack) & ((1u << second.count) - 1u);
     if (l == m) candidates &= ~((2u << k) - 1u);
+    if (candidates == 0) continue;
+    const bool folds = folded[first.vertex[0][k]] | folded[first.vertex[1][k]] | folded[first.vertex[2][k]];
+    if (!folds) candidates &= withoutCommonVertex(second, first, k);
     if (candidates != 0) candidates &= cutByPlane(second, first, k, tree.slack);
     for (; candidates != 0; candidates &= candidates - 1) {
       const int s = first.triangle[k], t = second.triangle[__builtin_ctz(candidates)];
-      if (cross(tree, s, t, folded)) report(s, t);
+      if (cross(tree, s, t)) report(s, t);
     }
   }
 }
@@ -146,12 +171,14 @@ void SelfOverlap::find(const TriangleTree& tree, std::span<const unsigned char> 
 }
 
 void SelfOverlap::findCrossings(const TriangleTree::Data& tree) {
-  const int vertices = static_cast<int>(tree.positions.rows());
-  folded_.resize(vertices);
-  parallelFor(vertices, 1024, [&](int v) {
-    const bool in_region = std::any_of(tree.fan.begin() + tree.fan_begin[v], tree.fan.begin() + tree.fan_begin[v + 1],
-                                       [&](int t) { return leaf_in_region_[tree.leaf_of_triangle[t]] != 0; });
-    folded_[v] = in_region && isFolded(tree, v);
+  folded_.assign(tree.positions.rows(), 0);
+  parallelFor(static_cast<int>(tree.leaves.size()), 256, [&](int l) {
+    if (!leaf_in_region_[l]) return;
+    for (const auto& vertices : tree.leaves[l].vertex)
+      for (int v : vertices) std::atomic_ref(folded_[v]).store(1, std::memory_order_relaxed);
+  });
+  parallelFor(static_cast<int>(tree.positions.rows()), 1024, [&](int v) {
+    if (folded_[v]) folded_[v] = isFolded(tree, v);
   });
   const auto report = [&](int s, int t) {
     std::atomic_ref(exposures_[s]).store(Exposure::crossing, std::memory_order_relaxed);
@@ -159,9 +186,11 @@ void SelfOverlap::findCrossings(const TriangleTree::Data& tree) {
   };
   parallelFor(static_cast<int>(tree.leaves.size()), 32, [&](int l) {
     if (!leaf_in_region_[l]) return;
+    LeafBoxes boxes;
+    triangleBoxes(tree.leaves[l], boxes.low, boxes.high);
     visitLeaves(tree, tree.leaves[l].box, [&](int m) {
       const bool done_from_there = m < l && leaf_in_region_[m];
-      if (!done_from_there) crossLeaves(tree, l, m, folded_, report);
+      if (!done_from_there) crossLeaves(tree, l, boxes, m, folded_, report);
     });
   });
 }
@@ -170,9 +199,7 @@ void SelfOverlap::buryPatches(const TriangleTree& tree) {
   const TriangleTree::Data& data = tree.data();
   const int m = static_cast<int>(data.triangles.rows());
   visited_.assign(m, 0);
-  const auto belongs = [&](int t) {
-    return t >= 0 && !visited_[t] && exposures_[t] == Exposure::boundary;
-  };
+  const auto belongs = [&](int t) { return t >= 0 && !visited_[t] && exposures_[t] == Exposure::boundary; };
   for (int seed = 0; seed < m; ++seed) {
     if (!belongs(seed) || data.normals[seed].isZero()) continue;
     visited_[seed] = 1;

@@ -1,8 +1,8 @@
 // Where a closed surface passes through itself: which of its triangles still bound the union of what it encloses.
 //
-// Triangles that cross others are found pair by pair; they cut the rest into patches, and as no patch is crossed, one ray a
-// patch tells whether all of it is buried.  Only the triangles asked for and those that share a leaf of the tree with them are
-// looked at, but what is said of them holds for the whole surface.
+// Triangles that cross others are found pair by pair; they cut the rest into patches, and as no patch is crossed, one
+// ray a patch tells whether all of it is buried.  Only the triangles asked for and those that share a leaf of the tree
+// with them are looked at, but what is said of them holds for the whole surface.
 #pragma once
 
 #include <span>
@@ -31,7 +31,7 @@ class SelfOverlap {
 
   std::vector<Exposure> exposures_;
   std::vector<unsigned char> leaf_in_region_;
-  std::vector<unsigned char> folded_;  // vertices whose triangles do not all face one way
+  std::vector<unsigned char> folded_;   // vertices whose triangles do not all face one way
   std::vector<unsigned char> visited_;  // triangles
   std::vector<int> patch_;
   long crossing_ = 0, buried_ = 0;

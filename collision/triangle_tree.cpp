@@ -98,33 +98,33 @@ class Search {
   }
 
   Nearest run(int hint) {
-    if (hint >= 0) tryTriangle(hint);
-    stack_[size_++] = {0.0f, 0};
+    const int first_leaf = hint >= 0 ? tree_.leaf_of_triangle[hint] : -1;
+    if (hint >= 0) visitLeaf(tree_.leaves[first_leaf]);
+    visitNode(tree_.nodes.front());
     while (size_ > 0) {
-      const Entry entry = stack_[--size_];
-      if (entry.squared > bound_) continue;
-      if (entry.child < 0)
-        visitLeaf(tree_.leaves[~entry.child]);
-      else
-        visitNode(tree_.nodes[entry.child]);
+      if (stack_squared_[--size_] > bound_) continue;
+      const int child = stack_child_[size_];
+      if (child >= 0)
+        visitNode(tree_.nodes[child]);
+      else if (~child != first_leaf)
+        visitLeaf(tree_.leaves[~child]);
     }
     return best_;
   }
 
  private:
-  struct Entry {
-    float squared;
-    int child;
-  };
-
   void visitNode(const TreeNode& node) {
     alignas(32) Lanes squared;
     const int first = size_;
     for (unsigned near = boxDistances(node, p_, bound_, squared); near != 0; near &= near - 1) {
       const int k = __builtin_ctz(near);
       int place = size_++;
-      for (; place > first && stack_[place - 1].squared < squared[k]; --place) stack_[place] = stack_[place - 1];
-      stack_[place] = {squared[k], node.child[k]};
+      for (; place > first && stack_squared_[place - 1] < squared[k]; --place) {
+        stack_squared_[place] = stack_squared_[place - 1];
+        stack_child_[place] = stack_child_[place - 1];
+      }
+      stack_squared_[place] = squared[k];
+      stack_child_[place] = node.child[k];
     }
   }
 
@@ -141,7 +141,6 @@ class Search {
   }
 
   void tryTriangle(int t) {
-    if (t == best_.triangle) return;
     const TrianglePoint at = closestOnTriangle(x_, corner(tree_, t, 0), corner(tree_, t, 1), corner(tree_, t, 2));
     const double squared = (x_ - at.point).squaredNorm();
     const bool tie = squared == best_.squared && (best_.triangle < 0 || t < best_.triangle);
@@ -156,7 +155,8 @@ class Search {
   const Accepts& accepts_;
   Nearest best_;
   float bound_;
-  std::array<Entry, kStackSize> stack_;
+  std::array<float, kStackSize> stack_squared_;  // nodes and leaves still to be visited: their boxes' distances
+  std::array<int, kStackSize> stack_child_;
   int size_ = 0;
 };
 

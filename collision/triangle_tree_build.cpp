@@ -109,13 +109,16 @@ void buildNodes(TriangleTree::Data& tree) {
     const int first = static_cast<int>(l) * kWidth;
     leaf.count = std::min(kWidth, m - first);
     for (int k = 0; k < kWidth; ++k) leaf.triangle[k] = order[first + std::min(k, leaf.count - 1)];
-    for (int k = 0; k < leaf.count; ++k) tree.leaf_of_triangle[leaf.triangle[k]] = static_cast<int>(l);
+    for (int k = 0; k < kWidth; ++k) {
+      tree.leaf_of_triangle[leaf.triangle[k]] = static_cast<int>(l);
+      for (int c = 0; c < 3; ++c) leaf.vertex[c][k] = tree.triangles(leaf.triangle[k], c);
+    }
   }
 }
 
 float inverseSquare(const Vec3& edge) {
-  const double squared = edge.squaredNorm();
-  return squared > 0.0 ? static_cast<float>(1.0 / squared) : 0.0f;
+  const float squared = static_cast<float>(edge.squaredNorm());
+  return squared > 0.0f ? 1.0f / squared : 0.0f;
 }
 
 void refitLeaf(TriangleTree::Data& tree, TreeLeaf& leaf) {
@@ -195,20 +198,19 @@ TriangleTree& TriangleTree::operator=(TriangleTree&&) noexcept = default;
 void TriangleTree::refit(const Positions& positions) {
   Data& tree = *data_;
   tree.positions = positions;
-  const Eigen::AlignedBox3d box = bounds();
-  if (!box.isEmpty()) {
-    tree.centre = box.center();
+  tree.bounds.setEmpty();
+  for (Eigen::Index v = 0; v < positions.rows(); ++v) tree.bounds.extend(positions.row(v).transpose());
+  if (!tree.bounds.isEmpty()) {
+    tree.centre = tree.bounds.center();
     // A coordinate rounds by at most 6e-8 of itself; the sums of products that are compared carry a dozen such errors.
-    tree.slack = static_cast<float>(1e-6 * 0.5 * box.sizes().maxCoeff());
+    tree.slack = static_cast<float>(1e-6 * 0.5 * tree.bounds.sizes().maxCoeff());
   }
   parallelFor(static_cast<int>(tree.leaves.size()), 128, [&](int l) { refitLeaf(tree, tree.leaves[l]); });
   refitNodes(tree);
 }
 
 Eigen::AlignedBox3d TriangleTree::bounds() const {
-  Eigen::AlignedBox3d box;
-  for (Eigen::Index v = 0; v < data_->positions.rows(); ++v) box.extend(data_->positions.row(v).transpose());
-  return box;
+  return data_->bounds;
 }
 
 FloatBox TriangleTree::Data::relative(const Eigen::AlignedBox3d& box) const {

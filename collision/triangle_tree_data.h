@@ -1,8 +1,8 @@
 // How the tree over the triangles is stored: eight boxes a node, eight triangles a leaf, structure of arrays.
 //
 // Boxes and triangles are kept in single precision relative to the surface's centre and serve to discard; whatever they
-// cannot discard is computed in double precision from `positions`.  `slack` bounds what rounding to single precision can
-// shift: every comparison that discards leaves that much room.
+// cannot discard is computed in double precision from `positions`.  `slack` bounds what rounding to single precision
+// can shift: every comparison that discards leaves that much room.
 #pragma once
 
 #include <array>
@@ -29,25 +29,27 @@ struct alignas(32) TreeNode {
 };
 
 struct alignas(32) TreeLeaf {
-  Lanes3 corner;                           // a of the triangle (a, b, c)
-  Lanes3 edge_1, edge_2;                   // b - a, c - a
-  Lanes3 normal;                           // unit; zero where degenerate
-  Lanes double_area;                       // m^2
-  std::array<Lanes, 3> inverse_square;     // of the lengths of b - a, c - a, c - b; zero where these are
-  FloatBox box;                            // of all
-  std::array<int, kWidth> triangle;        // lanes from `count` on repeat the last one
+  Lanes3 corner;                                  // a of the triangle (a, b, c)
+  Lanes3 edge_1, edge_2;                          // b - a, c - a
+  Lanes3 normal;                                  // unit; zero where degenerate
+  Lanes double_area;                              // m^2
+  std::array<Lanes, 3> inverse_square;            // of the lengths of b - a, c - a, c - b; zero where these are
+  FloatBox box;                                   // of all
+  std::array<int, kWidth> triangle;               // lanes from `count` on repeat the last one
+  std::array<std::array<int, kWidth>, 3> vertex;  // of these, by corner
   int count = 0;
 };
 
 struct TriangleTree::Data {
   Triangles triangles;
-  Positions positions;            // m
-  std::vector<Vec3> normals;      // of the triangles, unit; zero where degenerate
-  std::vector<TreeNode> nodes;    // a node before its children; the first is the root
+  Positions positions;          // m
+  std::vector<Vec3> normals;    // of the triangles, unit; zero where degenerate
+  std::vector<TreeNode> nodes;  // a node before its children; the first is the root
   std::vector<TreeLeaf> leaves;
   std::vector<int> leaf_of_triangle;
   std::vector<int> fan_begin, fan;  // triangles around vertex v: fan[fan_begin[v]] ... fan[fan_begin[v + 1] - 1]
   Triangles neighbours;             // of a triangle over the edge that starts at its corner; -1: none
+  Eigen::AlignedBox3d bounds;
   Vec3 centre = Vec3::Zero();
   float slack = 0.0f;  // m
 
@@ -57,8 +59,12 @@ struct TriangleTree::Data {
 /// What boxes that are missing or without end hold instead of infinity, whose differences are not numbers.
 constexpr float kMissing = 1e30f, kEndless = 1e20f;  // m
 
-inline float larger(float a, float b) { return a > b ? a : b; }
-inline float smaller(float a, float b) { return a < b ? a : b; }
+inline float larger(float a, float b) {
+  return a > b ? a : b;
+}
+inline float smaller(float a, float b) {
+  return a < b ? a : b;
+}
 
 /// One bit a lane; a set of lanes is their sum.
 constexpr std::array<unsigned, kWidth> kLaneBit = {1, 2, 4, 8, 16, 32, 64, 128};

@@ -8,8 +8,8 @@
 
 namespace ease {
 
-/// Flat sheet of (n + 1) x (m + 1) vertices in the xy plane, `width` along x, `height` along y, m; interior vertices moved by up to
-/// `jitter` of a cell.
+/// Flat sheet of (n + 1) x (m + 1) vertices in the xy plane, `width` along x, `height` along y, m; interior vertices
+/// moved by up to `jitter` of a cell.
 inline TriangleMesh makeSheet(int n, int m, double width, double height, double jitter = 0.0) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> shift(-jitter, jitter);

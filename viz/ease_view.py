@@ -1,5 +1,5 @@
 #!/usr/bin/env pvpython
-"""Shows a result of Ease in ParaView (5.9 or later): the garment coloured by a value per triangle, on the body.
+"""Shows a result of Ease in ParaView (tried with 5.11): the garment coloured by a value per triangle, on the body.
 
   pvpython viz/ease_view.py RESULT_DIR --picture last.png         the last frame
   pvpython viz/ease_view.py RESULT_DIR --animation motion.avi     all frames (.avi, .ogv, or .png: numbered)

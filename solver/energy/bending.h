@@ -14,13 +14,13 @@ namespace ease {
 /// Elasticity and damping of one hinge over a step: w/2 |b|^2 + w_d/(2h) (|b| - |b_start|)^2.
 /// The rate is of |b|, not of b, so that a rigid motion is not damped.
 struct HingeSpring {
-  double w;                // J
-  double damping_over_h;   // J
-  double start;            // |b| at the start of the step
+  double w;               // J
+  double damping_over_h;  // J
+  double start;           // |b| at the start of the step
 };
 
-double bendingEnergy(const Vec3& b, const HingeSpring& spring);            // J
-Vec3 bendingGradient(const Vec3& b, const HingeSpring& spring);            // by b, J
+double bendingEnergy(const Vec3& b, const HingeSpring& spring);  // J
+Vec3 bendingGradient(const Vec3& b, const HingeSpring& spring);  // by b, J
 /// Second derivative by b, J, without negative part: alpha I + beta b bᵀ/|b|².
 Mat3 bendingHessian(const Vec3& b, const HingeSpring& spring);
 

@@ -23,7 +23,9 @@ struct Bias {
 
 }  // namespace
 
-double shearCondition(const Mat32& F) { return Bias(F).condition(); }
+double shearCondition(const Mat32& F) {
+  return Bias(F).condition();
+}
 
 double shearEnergy(const Mat32& F, const Spring& spring) {
   const double excess = shearCondition(F) - spring.c;

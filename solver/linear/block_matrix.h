@@ -31,8 +31,8 @@ class BlockMatrix {
   /// y = A x; y must not be x.
   void multiply(const Positions& x, Positions& y) const;
 
-  /// Lower triangle as a scalar matrix of 3 x 3 blocks (3n x 3n).  Rows and columns of `fixed` vertices become those of the identity.
-  /// `lower` keeps its pattern from the first call on.
+  /// Lower triangle as a scalar matrix of 3 x 3 blocks (3n x 3n).  Rows and columns of `fixed` vertices become those of
+  /// the identity. `lower` keeps its pattern from the first call on.
   void toScalar(std::span<const char> fixed, SparseMatrix& lower) const;
 
  private:

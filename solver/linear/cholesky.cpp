@@ -84,7 +84,9 @@ bool Cholesky::factor(const SparseMatrix& lower) {
   return data_->factored;
 }
 
-bool Cholesky::isFactored() const { return data_->factored; }
+bool Cholesky::isFactored() const {
+  return data_->factored;
+}
 
 void Cholesky::solve(const double* b, double* x, int columns) const {
   assert(data_->factored);

@@ -42,9 +42,9 @@ class GradientSystem {
   Incidence incidence_;
   SparseMatrix matrix_;
   Cholesky cholesky_;
-  std::vector<Mat32> weighted_gradients_;        // w_t B_t
+  std::vector<Mat32> weighted_gradients_;  // w_t B_t
   std::vector<double> diagonal_;
-  Eigen::MatrixX3d right_;                       // columns, as the factor takes them
+  Eigen::MatrixX3d right_;  // columns, as the factor takes them
 };
 
 }  // namespace ease

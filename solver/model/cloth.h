@@ -35,7 +35,7 @@ class Cloth {
   const std::vector<double>& restAreas() const { return rest_areas_; }
   const std::vector<double>& vertexAreas() const { return vertex_areas_; }  // a third of the rest area around, m^2
   const std::vector<double>& masses() const { return masses_; }
-  const std::vector<Hinge>& hinges() const { return hinges_; }              // empty without bending
+  const std::vector<Hinge>& hinges() const { return hinges_; }  // empty without bending
 
   /// Deformation gradient of triangle t.
   Mat32 deformation(const Positions& x, int t) const { return edgeMatrix(x, triangles_, t) * rest_inverse_[t]; }

@@ -16,7 +16,7 @@ std::array<double, 2> cotangents(const Mat2& D) {
 }  // namespace
 
 Hinge makeHinge(const std::array<int, 4>& vertices, const Mat2& first, const Mat2& second) {
-  const auto [at0, at1] = cotangents(first);          // corners x0, x1
+  const auto [at0, at1] = cotangents(first);  // corners x0, x1
   const auto [second_at1, second_at0] = cotangents(second);
   Hinge hinge;
   hinge.vertices = vertices;

@@ -16,9 +16,9 @@
 namespace ease {
 
 struct Hinge {
-  std::array<int, 4> vertices;     // x0, x1 on the edge, x2, x3 opposite
-  std::array<double, 4> stencil;   // K, dimensionless
-  double inverse_area;             // 1/(A0 + A1), 1/m^2
+  std::array<int, 4> vertices;    // x0, x1 on the edge, x2, x3 opposite
+  std::array<double, 4> stencil;  // K, dimensionless
+  double inverse_area;            // 1/(A0 + A1), 1/m^2
 };
 
 /// Stencil from the cotangents of two flat triangles that share an edge: `first` = (x0, x1, x2) and `second` =

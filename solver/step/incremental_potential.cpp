@@ -33,6 +33,7 @@ IncrementalPotential::IncrementalPotential(const Cloth& cloth)
       hinge_corners_(cloth.vertexCount(), hingeCorners(cloth.hinges())),
       stress_(cloth.triangleCount()),
       contact_force_(cloth.vertexCount() + cloth.topology().edges.size() + cloth.triangleCount()),
+      contact_stiffness_(contact_force_.size()),
       frame_hessian_(cloth.triangleCount()),
       hinge_hessian_(cloth.hinges().size()),
       hinge_force_(cloth.hinges().size()) {}
@@ -99,9 +100,8 @@ Vec3 IncrementalPotential::contactPoint(const Positions& x, int sample) const {
 }
 
 double IncrementalPotential::value(const Positions& x) const {
-  const double inertia = parallelSum(cloth_.vertexCount(), [&](int i) {
-    return cloth_.masses()[i] * (x.row(i) - inertial_.row(i)).squaredNorm();
-  });
+  const double inertia = parallelSum(
+      cloth_.vertexCount(), [&](int i) { return cloth_.masses()[i] * (x.row(i) - inertial_.row(i)).squaredNorm(); });
   const double membrane = parallelSum(cloth_.triangleCount(), [&](int t) {
     const Mat32 F = cloth_.deformation(x, t);
     const TriangleSprings s = springs(t);
@@ -113,8 +113,8 @@ double IncrementalPotential::value(const Positions& x) const {
   });
   const double contact = parallelSum(static_cast<int>(contacts_.size()), [&](int s) {
     if (contacts_[s].normal.isZero(0.0)) return 0.0;
-    const double depth = std::min(0.0, contacts_[s].gap(contactPoint(x, s)));
-    return 0.5 * options_.contact_stiffness * contactArea(s) * depth * depth;
+    const double depth = contacts_[s].depth(contactPoint(x, s));
+    return contactArea(s) * contactEnergy(depth, contactSpring(s));
   });
   return 0.5 / (options_.h * options_.h) * inertia + membrane + bending + contact;
 }
@@ -123,8 +123,9 @@ void IncrementalPotential::contactForces(const Positions& x) {
   parallelFor(static_cast<int>(contacts_.size()), 4 * kGrain, [&](int s) {
     contact_force_[s].setZero();
     if (contacts_[s].normal.isZero(0.0)) return;
-    const double gap = contacts_[s].gap(contactPoint(x, s));
-    if (gap < 0.0) contact_force_[s] = options_.contact_stiffness * contactArea(s) * gap * contacts_[s].normal;
+    const double depth = contacts_[s].depth(contactPoint(x, s));
+    if (depth != 0.0)
+      contact_force_[s] = -contactArea(s) * ease::contactPressure(depth, contactSpring(s)) * contacts_[s].normal;
   });
 }
 
@@ -145,9 +146,8 @@ void IncrementalPotential::gradient(const Positions& x, Positions& gradient) {
     stress.col(1) += stretchGradient(F.col(1), s.weft);
     stress_[t] = cloth_.restAreas()[t] * stress;
   });
-  parallelFor(static_cast<int>(hinge_force_.size()), kGrain, [&](int e) {
-    hinge_force_[e] = bendingGradient(hingeVector(cloth_.hinges()[e], x), hingeSpring(e));
-  });
+  parallelFor(static_cast<int>(hinge_force_.size()), kGrain,
+              [&](int e) { hinge_force_[e] = bendingGradient(hingeVector(cloth_.hinges()[e], x), hingeSpring(e)); });
   contactForces(x);
 
   const double inverse_h2 = 1.0 / (options_.h * options_.h);
@@ -173,10 +173,16 @@ void IncrementalPotential::hessian(const Positions& x, BlockMatrix& hessian) {
     const double a = cloth_.restAreas()[t];
     h.uu *= a, h.uv *= a, h.vv *= a;
   });
-  const auto contactHessian = [&](int s) -> Mat3 {
-    if (contacts_.empty() || contacts_[s].gap(contactPoint(x, s)) >= 0.0) return Mat3::Zero();
+  parallelFor(static_cast<int>(contacts_.size()), 4 * kGrain, [&](int s) {
+    contact_stiffness_[s] = 0.0;
+    if (contacts_[s].normal.isZero(0.0)) return;
+    const double depth = contacts_[s].depth(contactPoint(x, s));
+    if (depth != 0.0) contact_stiffness_[s] = contactArea(s) * contactStiffness(depth, contactSpring(s));
+  });
+  const auto addContact = [&](int s, double weight, Mat3& block) {
+    if (contacts_.empty() || contact_stiffness_[s] == 0.0) return;
     const Vec3& normal = contacts_[s].normal;
-    return options_.contact_stiffness * contactArea(s) * normal * normal.transpose();
+    block += weight * contact_stiffness_[s] * normal * normal.transpose();
   };
   // Second derivative of triangle t's energy by its corners p, q.
   const auto triangleBlock = [&](int t, int p, int q) -> Mat3 {
@@ -198,14 +204,17 @@ void IncrementalPotential::hessian(const Positions& x, BlockMatrix& hessian) {
         for (int t : cloth_.topology().edges[edge].triangle)
           if (t >= 0) {
             block += triangleBlock(t, cornerOf(t, i), cornerOf(t, hessian.column(k)));
-            block += contactHessian(n + e + t) / 9.0;
+            addContact(n + e + t, 1.0 / 9.0, block);
           }
-        block += contactHessian(n + edge) / 4.0;
+        addContact(n + edge, 1.0 / 4.0, block);
       } else {
-        block = inverse_h2 * cloth_.masses()[i] * Mat3::Identity() + contactHessian(i);
-        for (int c : triangle_corners_.of(i))
-          block += triangleBlock(c / 3, c % 3, c % 3) + contactHessian(n + e + c / 3) / 9.0;
-        for (int c : edge_ends_.of(i)) block += contactHessian(n + c / 2) / 4.0;
+        block = inverse_h2 * cloth_.masses()[i] * Mat3::Identity();
+        addContact(i, 1.0, block);
+        for (int c : triangle_corners_.of(i)) {
+          block += triangleBlock(c / 3, c % 3, c % 3);
+          addContact(n + e + c / 3, 1.0 / 9.0, block);
+        }
+        for (int c : edge_ends_.of(i)) addContact(n + c / 2, 1.0 / 4.0, block);
       }
       hessian.block(k) = block;
     }
@@ -213,9 +222,8 @@ void IncrementalPotential::hessian(const Positions& x, BlockMatrix& hessian) {
 }
 
 void IncrementalPotential::prepareBending(const Positions& x) {
-  parallelFor(static_cast<int>(hinge_hessian_.size()), kGrain, [&](int e) {
-    hinge_hessian_[e] = bendingHessian(hingeVector(cloth_.hinges()[e], x), hingeSpring(e));
-  });
+  parallelFor(static_cast<int>(hinge_hessian_.size()), kGrain,
+              [&](int e) { hinge_hessian_[e] = bendingHessian(hingeVector(cloth_.hinges()[e], x), hingeSpring(e)); });
 }
 
 void IncrementalPotential::addBending(const Positions& d, Positions& product) {

@@ -8,8 +8,9 @@ namespace ease {
 
 namespace {
 
-constexpr double kLinearTolerance = 1e-2;   // of a Newton correction: well below the error of stopping after one
+constexpr double kLinearTolerance = 1e-2;  // of a Newton correction: well below the error of stopping after one
 constexpr int kMostHalvings = 10;
+constexpr double kRoundOff = 1e-12;  // of the potential: an increase that means nothing
 
 }  // namespace
 
@@ -50,7 +51,7 @@ StepSummary NewtonStep::step(State& state, const StepOptions& options, const Pin
   summary.factorisations = solve.factorisations;
   if (!solve.ok) throw ComputationError("the linear system of the step is not positive definite");
 
-  const double before = potential_.value(x_);
+  const double before = potential_.value(x_) * (1.0 + kRoundOff);
   double scale = 1.0;
   for (trial_ = x_ + direction_; !(potential_.value(trial_) <= before); trial_ = x_ + scale * direction_) {
     if (++summary.halvings > kMostHalvings) throw ComputationError("no decrease of the potential along the step");

@@ -8,8 +8,8 @@ namespace ease {
 
 namespace {
 
-constexpr double kFactorCost = 35.0;   // iterations that take as long as a factor, measured at 4k and 10k vertices
-constexpr int kMostIterations = 80;    // with one factor; then a new one
+constexpr double kFactorCost = 35.0;  // iterations that take as long as a factor, measured at 4k and 10k vertices
+constexpr int kMostIterations = 80;   // with one factor; then a new one
 
 double dot(const Positions& a, const Positions& b) {
   return parallelSum(static_cast<int>(a.rows()), [&](int i) { return a.row(i).dot(b.row(i)); });

@@ -3,9 +3,9 @@
 //   H d = r      H: projected Hessian, 3n x 3n, symmetric positive definite, N/m; r: N; d: m
 //
 // The cloth turns little between steps, so that an old factor of H (without bending, whose second ring would make it
-// four times as costly) is a good preconditioner.  A factor costs as much as some tens of iterations: it is renewed when an iteration
-// count exceeds the average cost of a solve since the last factor, the factor included, which is when the average
-// begins to rise.
+// four times as costly) is a good preconditioner.  A factor costs as much as some tens of iterations: it is renewed
+// when an iteration count exceeds the average cost of a solve since the last factor, the factor included, which is when
+// the average begins to rise.
 #pragma once
 
 #include <functional>
@@ -40,8 +40,8 @@ class NewtonSystem {
   SparseMatrix scalar_;
   Cholesky cholesky_;
   bool factored_ = false;
-  int solves_ = 0, last_iterations_ = 0;   // since the last factor
-  double cost_ = 0.0;                      // in iterations, the factor included
+  int solves_ = 0, last_iterations_ = 0;  // since the last factor
+  double cost_ = 0.0;                     // in iterations, the factor included
   Positions r_, z_, p_, product_;
 };
 

@@ -24,12 +24,22 @@ inline TriangleMesh box(const Vec3& low, const Vec3& high) {
   std::vector<Vec3> vertices;
   for (int v = 0; v < 8; ++v)
     vertices.emplace_back(v & 1 ? high[0] : low[0], v & 2 ? high[1] : low[1], v & 4 ? high[2] : low[2]);
-  return meshOf(vertices, {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                           {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}});
+  return meshOf(vertices, {{0, 2, 3},
+                           {0, 3, 1},
+                           {4, 5, 7},
+                           {4, 7, 6},
+                           {0, 1, 5},
+                           {0, 5, 4},
+                           {2, 6, 7},
+                           {2, 7, 3},
+                           {0, 4, 6},
+                           {0, 6, 2},
+                           {1, 3, 7},
+                           {1, 7, 5}});
 }
 
 /// Around the axis from (0, -half_length, 0) to (0, half_length, 0); a sphere for half_length 0.  `rings`: strips of
-/// triangles on each half sphere; the tube between is one strip.
+/// triangles on each half sphere; those on the tube are as wide.
 inline TriangleMesh capsule(double half_length, double radius, int rings) {
   const int around = 4 * rings;
   std::vector<Vec3> vertices = {{0.0, -half_length - radius, 0.0}};
@@ -37,12 +47,15 @@ inline TriangleMesh capsule(double half_length, double radius, int rings) {
     for (int i = 0; i < around; ++i) {
       const double longitude = 2.0 * std::numbers::pi * i / around;
       vertices.push_back(radius * Vec3(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
-                                       std::cos(latitude) * std::cos(longitude)) + Vec3(0.0, shift, 0.0));
+                                       std::cos(latitude) * std::cos(longitude)) +
+                         Vec3(0.0, shift, 0.0));
     }
   };
   const double step = 0.5 * std::numbers::pi / rings;
+  const int tube = static_cast<int>(std::ceil(2.0 * half_length / (radius * step)));
   for (int r = 1; r <= rings; ++r) ring(-0.5 * std::numbers::pi + r * step, -half_length);
-  for (int r = half_length > 0.0 ? 0 : 1; r < rings; ++r) ring(r * step, half_length);
+  for (int s = 1; s <= tube; ++s) ring(0.0, half_length * (2.0 * s / tube - 1.0));
+  for (int r = 1; r < rings; ++r) ring(r * step, half_length);
   vertices.emplace_back(0.0, half_length + radius, 0.0);
   const int last = static_cast<int>(vertices.size()) - 1, strips = (last - 1) / around - 1;
   std::vector<Eigen::Vector3i> triangles;
@@ -59,7 +72,9 @@ inline TriangleMesh capsule(double half_length, double radius, int rings) {
   return meshOf(vertices, triangles);
 }
 
-inline TriangleMesh sphere(double radius, int rings) { return capsule(0.0, radius, rings); }
+inline TriangleMesh sphere(double radius, int rings) {
+  return capsule(0.0, radius, rings);
+}
 
 inline TriangleMesh moved(TriangleMesh mesh, const Vec3& shift) {
   mesh.positions.rowwise() += shift.transpose();

@@ -13,7 +13,9 @@ using namespace ease::bodies;
 
 namespace {
 
-TriangleTree treeOf(const TriangleMesh& mesh) { return TriangleTree(mesh.positions, mesh.triangles); }
+TriangleTree treeOf(const TriangleMesh& mesh) {
+  return TriangleTree(mesh.positions, mesh.triangles);
+}
 
 std::vector<LevelSetSample> sampled(LevelSet& level_set, const std::vector<Vec3>& points) {
   std::vector<LevelSetSample> samples(points.size());
@@ -187,8 +189,8 @@ TEST_CASE("exactly on the surface the distance is zero and the normal is the sur
 
 TEST_CASE("beyond the band the sign is still right, however deep") {
   const TriangleTree body = treeOf(twoSpheres(0.08, 0.12, 16));
-  const std::vector<Vec3> points = {
-      {0.0, 0.0, 0.0}, {0.08, 0.0, 0.0}, {0.1, 0.01, 0.02}, {0.3, 0.3, 0.3}, {1e30, 0.0, -5.0}, {0.0, 0.17, 0.0}};
+  const std::vector<Vec3> points = {{0.0, 0.0, 0.0}, {0.08, 0.0, 0.0},  {0.1, 0.01, 0.02},
+                                    {0.3, 0.3, 0.3}, {1e30, 0.0, -5.0}, {0.0, 0.17, 0.0}};
   const std::vector<LevelSetSample> samples = sampled(body, points);
   for (size_t i = 0; i < points.size(); ++i) {
     CHECK(samples[i].phi == (i < 3 ? -0.03 : 0.03));

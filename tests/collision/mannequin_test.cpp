@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <vector>
 
 #include "collision/fading_turn.h"
 #include "collision/mannequin_shape.h"
+#include "collision/self_overlap.h"
+#include "collision/triangle_tree.h"
 #include "solver/mesh/error.h"
 #include "solver/mesh/topology.h"
 
@@ -100,6 +103,19 @@ TEST_CASE("the gradient of the mannequin's distance agrees with finite differenc
     }
   }
   CHECK(worst < 0.05);  // the gradient leaves out how a flattened limb's slope varies, where it is blended
+}
+
+TEST_CASE("no pose of the mannequin passes through itself") {
+  for (const std::string& pose : mannequinPoses()) {
+    INFO(pose);
+    const TriangleMesh body = mannequin(pose);
+    const TriangleTree tree(body.positions, body.triangles);
+    const std::vector<unsigned char> all(body.triangles.rows(), 1);
+    SelfOverlap overlap;
+    overlap.find(tree, all);
+    CHECK(overlap.crossing() == 0);
+    CHECK(overlap.buried() == 0);
+  }
 }
 
 TEST_CASE("triangles are well shaped in every pose") {

@@ -16,7 +16,9 @@ SelfOverlap overlapOf(const TriangleMesh& mesh) {
   return overlap;
 }
 
-Vec3 cornerOf(const TriangleMesh& mesh, int t, int k) { return mesh.positions.row(mesh.triangles(t, k)); }
+Vec3 cornerOf(const TriangleMesh& mesh, int t, int k) {
+  return mesh.positions.row(mesh.triangles(t, k));
+}
 
 }  // namespace
 
@@ -62,12 +64,20 @@ TEST_CASE("spheres whose vertices and edges lie on each other exactly are told a
   }
 }
 
-TEST_CASE("a fold through itself that ends at a vertex is seen") {
-  // A fan of four faces around vertex 0 with one of its rim's edges bent through a face on the other side.
-  TriangleMesh mesh = box(Vec3::Constant(-0.5), Vec3::Constant(0.5));
-  mesh.positions.row(1) = Vec3(-0.6, 0.4, 0.1);  // was (0.5, -0.5, -0.5): now beyond the face x = -0.5
+TEST_CASE("triangles that cross from a common vertex on are seen") {
+  // Around vertex 0: two crosswise triangles that meet along the x axis, and a third that faces against both.
+  const TriangleMesh mesh = meshOf({{0.0, 0.0, 0.0},
+                                    {1.0, -1.0, 0.0},
+                                    {1.0, 1.0, 0.0},
+                                    {0.5, 0.0, 0.5},
+                                    {0.5, 0.0, -0.5},
+                                    {-1.0, -1.0, 1.0},
+                                    {-2.0, 1.0, -1.0}},
+                                   {{0, 1, 2}, {0, 3, 4}, {0, 5, 6}});
   const SelfOverlap overlap = overlapOf(mesh);
-  CHECK(overlap.crossing() > 0);
+  CHECK(overlap.exposures()[0] == Exposure::crossing);
+  CHECK(overlap.exposures()[1] == Exposure::crossing);
+  CHECK(overlap.crossing() == 2);
 }
 
 TEST_CASE("only what is asked for and its neighbours in the tree are looked at") {

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-TriangleTree treeOf(const TriangleMesh& mesh) { return TriangleTree(mesh.positions, mesh.triangles); }
+TriangleTree treeOf(const TriangleMesh& mesh) {
+  return TriangleTree(mesh.positions, mesh.triangles);
+}
 
 /// A sphere with waves on it, so that no two triangles are alike.
 TriangleMesh wavySphere(double phase) {
@@ -29,8 +31,10 @@ ClosestPoint bruteForce(const TriangleMesh& mesh, const Vec3& x) {
   ClosestPoint best;
   double least = kInfinity;
   for (int t = 0; t < mesh.triangles.rows(); ++t) {
-    const Vec3 point = closestOnTriangle(x, mesh.positions.row(mesh.triangles(t, 0)),
-                                         mesh.positions.row(mesh.triangles(t, 1)), mesh.positions.row(mesh.triangles(t, 2))).point;
+    const Vec3 point =
+        closestOnTriangle(x, mesh.positions.row(mesh.triangles(t, 0)), mesh.positions.row(mesh.triangles(t, 1)),
+                          mesh.positions.row(mesh.triangles(t, 2)))
+            .point;
     if ((x - point).squaredNorm() >= least) continue;
     least = (x - point).squaredNorm();
     best.triangle = t;
@@ -134,8 +138,7 @@ TEST_CASE("rays through vertices and edges are counted once") {
 TEST_CASE("two overlapping spheres are their union") {
   const double offset = 0.12, radius = 0.2;
   const TriangleMesh ball = sphere(radius, 24);
-  const TriangleTree tree =
-      treeOf(joined(moved(ball, Vec3(offset, 0.0, 0.0)), moved(ball, Vec3(-offset, 0.0, 0.0))));
+  const TriangleTree tree = treeOf(joined(moved(ball, Vec3(offset, 0.0, 0.0)), moved(ball, Vec3(-offset, 0.0, 0.0))));
   const double edge = radius * 0.5 * std::numbers::pi / 24, facet = edge * edge / (4.0 * radius);
   for (const Vec3& x : pointsIn(Vec3(-0.4, -0.3, -0.3), Vec3(0.4, 0.3, 0.3), 4000)) {
     const double expected = distanceToTwoSpheres(x, offset, radius), found = tree.signedDistance(x, kInfinity);

@@ -23,7 +23,9 @@ Eigen::Matrix<double, 6, 6> whole(const FrameHessian& h) {
   return H;
 }
 
-Eigen::Matrix<double, 6, 1> flat(const Mat32& P) { return P.reshaped(); }
+Eigen::Matrix<double, 6, 1> flat(const Mat32& P) {
+  return P.reshaped();
+}
 
 }  // namespace
 

@@ -36,7 +36,8 @@ TEST_CASE("the stretch Hessian is the derivative of the gradient where stretched
   const Mat3 hessian = stretchHessian(f, kSpring);
   for (int i = 0; i < 3; ++i) {
     const Vec3 difference =
-        (stretchGradient(f + 1e-5 * Vec3::Unit(i), kSpring) - stretchGradient(f - 1e-5 * Vec3::Unit(i), kSpring)) / 2e-5;
+        (stretchGradient(f + 1e-5 * Vec3::Unit(i), kSpring) - stretchGradient(f - 1e-5 * Vec3::Unit(i), kSpring)) /
+        2e-5;
     CHECK((difference - hessian.col(i)).norm() < 1e-6 * kSpring.k);
   }
 }

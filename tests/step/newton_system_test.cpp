@@ -90,6 +90,7 @@ TEST_CASE("a matrix that is not positive definite is reported") {
   NewtonSystem system(matrix);
   Positions d;
   CHECK_FALSE(
-      system.solve(matrix, kNothingMore, std::vector<char>(matrix.rows(), 0), randomPositions(matrix.rows(), 1), 1e-8, d)
+      system
+          .solve(matrix, kNothingMore, std::vector<char>(matrix.rows(), 0), randomPositions(matrix.rows(), 1), 1e-8, d)
           .ok);
 }

@@ -21,7 +21,9 @@ Material softCloth() {
   return material;
 }
 
-State atRest(const TriangleMesh& mesh) { return {mesh.positions, Positions::Zero(mesh.positions.rows(), 3)}; }
+State atRest(const TriangleMesh& mesh) {
+  return {mesh.positions, Positions::Zero(mesh.positions.rows(), 3)};
+}
 
 // Floor at y = 0.
 const FindContacts kFloor = [](const Positions& x, std::vector<ContactPlane>& planes) {

@@ -1,0 +1,89 @@
+#include "adaption/stitch.h"
+
+#include <Eigen/SVD>
+#include <catch2/catch.hpp>
+
+#include "adaption/stretch_measure.h"
+#include "tests/sheet.h"
+
+using namespace ease;
+
+namespace {
+
+// A tube of cloth about the y axis.
+TriangleMesh makeTube(int around, int along, double radius, double height) {
+  TriangleMesh tube;
+  tube.positions.resize(around * (along + 1), 3);
+  for (int j = 0; j <= along; ++j)
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2.0 * M_PI * i / around;
+      tube.positions.row(j * around + i) << radius * std::cos(angle), height * j / along, radius * std::sin(angle);
+    }
+  tube.triangles.resize(2 * around * along, 3);
+  int t = 0;
+  for (int j = 0; j < along; ++j)
+    for (int i = 0; i < around; ++i) {
+      const int a = j * around + i, b = j * around + (i + 1) % around;
+      tube.triangles.row(t++) << a, a + around, b;
+      tube.triangles.row(t++) << b, a + around, b + around;
+    }
+  return tube;
+}
+
+double largestGrowth(const std::vector<Mat2>& first_inverse, const Cloth& cloth, int t) {
+  const Mat2 map = cloth.restEdges()[t] * first_inverse[t];
+  return principalStretch(map.transpose() * map).sigma_1;
+}
+
+}  // namespace
+
+TEST_CASE("the polar factor in closed form is that of the singular value decomposition") {
+  const Positions random = randomPositions(20, 9);
+  for (int i = 0; i < 20; i += 2) {
+    const Mat32 A = random.middleRows<2>(i).transpose();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    CHECK((nearestRotation(A) - svd.matrixU() * svd.matrixV().transpose()).norm() < 1e-9);
+  }
+}
+
+TEST_CASE("nothing grown, nothing changed") {
+  const TriangleMesh mesh = makeTube(24, 10, 0.1, 0.3);
+  Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
+  Stitcher stitcher(cloth);
+  stitcher.stitch(cloth, std::vector<Mat2>(cloth.triangleCount(), Mat2::Identity()));
+  CHECK((cloth.restPositions() - mesh.positions).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+TEST_CASE("a tube that grows evenly around becomes a wider tube, and the grain stays along it") {
+  const TriangleMesh mesh = makeTube(32, 12, 0.1, 0.3);
+  Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
+  const std::vector<Mat2> first_inverse = cloth.restInverse();
+  Stitcher stitcher(cloth);
+  Mat2 growth = Mat2::Identity();
+  growth(1, 1) = 1.2;  // weft: around
+  stitcher.stitch(cloth, std::vector<Mat2>(cloth.triangleCount(), growth));
+  for (int t = 0; t < cloth.triangleCount(); ++t) {
+    const Mat2 map = cloth.restEdges()[t] * first_inverse[t];
+    CHECK(map(0, 0) == Approx(1.0).margin(0.03));
+    CHECK(map(1, 1) == Approx(1.2).margin(0.04));
+    CHECK(std::abs(map(0, 1)) < 0.03);
+  }
+}
+
+TEST_CASE("where one patch grows, cloth far from it stays as it was") {
+  const TriangleMesh mesh = makeSheet(20, 20, 1.0, 1.0);
+  Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
+  const std::vector<Mat2> first_inverse = cloth.restInverse();
+  std::vector<Mat2> growth(cloth.triangleCount(), Mat2::Identity());
+  for (int t = 0; t < cloth.triangleCount(); ++t) {
+    const double x = mesh.positions(mesh.triangles(t, 0), 0), y = mesh.positions(mesh.triangles(t, 0), 1);
+    if (x < 0.15 && y < 0.15) growth[t] *= 1.3;
+  }
+  Stitcher stitcher(cloth);
+  stitcher.stitch(cloth, growth);
+  CHECK(largestGrowth(first_inverse, cloth, 0) > 1.2);
+  for (int t = 0; t < cloth.triangleCount(); ++t) {
+    CHECK(cloth.restAreas()[t] > 0.0);
+    if (mesh.positions(mesh.triangles(t, 0), 0) > 0.7) CHECK(largestGrowth(first_inverse, cloth, t) < 1.01);
+  }
+}

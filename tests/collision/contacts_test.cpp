@@ -1,0 +1,110 @@
+#include "collision/contacts.h"
+
+#include <catch2/catch.hpp>
+
+#include "solver/mesh/topology.h"
+#include "tests/sheet.h"
+
+using namespace ease;
+
+namespace {
+
+// Walls of the body: two thick slabs that face each other across a gap, as seen near their middle.
+TriangleMesh makeSlabs(double gap) {
+  TriangleMesh slabs;
+  const double thick = 0.2, wide = 0.4;
+  slabs.positions.resize(16, 3);
+  slabs.triangles.resize(24, 3);
+  const auto box = [&](int which, double x0, double x1) {
+    const int v = 8 * which, t = 12 * which;
+    for (int i = 0; i < 8; ++i)
+      slabs.positions.row(v + i) << (i & 1 ? x1 : x0), (i & 2 ? wide : -wide), (i & 4 ? wide : -wide);
+    const int faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                              {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    for (int i = 0; i < 12; ++i) slabs.triangles.row(t + i) << v + faces[i][0], v + faces[i][1], v + faces[i][2];
+  };
+  box(0, -0.5 * gap - thick, -0.5 * gap);
+  box(1, 0.5 * gap, 0.5 * gap + thick);
+  return slabs;
+}
+
+struct Body {
+  TriangleMesh mesh;
+  TriangleTree tree;
+  LevelSet level_set{LevelSetOptions{0.01, 0.03}};
+  Positions towards;
+  explicit Body(const TriangleMesh& m) : mesh(m), tree(m.positions, m.triangles), towards(m.positions) {}
+  BodyMoment moment(std::span<const Vec3> points, double tau = 0.0) {
+    level_set.build(tree, points, 0.004);
+    return {&level_set, &mesh.triangles, &mesh.positions, &towards, tau};
+  }
+};
+
+constexpr double kMostRecovery = 0.01;  // m
+
+}  // namespace
+
+TEST_CASE("samples are vertices, edge midpoints and centroids") {
+  const TriangleMesh sheet = makeSheet(2, 1, 0.2, 0.1);
+  const Topology topology = buildTopology(sheet, "sheet");
+  std::vector<Vec3> samples;
+  sampleCloth(sheet.positions, sheet.triangles, topology.edges, samples);
+  REQUIRE(samples.size() == sheet.positions.rows() + topology.edges.size() + sheet.triangles.rows());
+  const auto [i, j] = topology.edges[2].vertex;
+  CHECK((samples[sheet.positions.rows() + 2] - 0.5 * (sheet.positions.row(i) + sheet.positions.row(j)).transpose())
+            .norm() < 1e-15);
+}
+
+TEST_CASE("a plane stands the offset away from the body, and there is none far from it") {
+  Body body(makeSlabs(0.1));
+  const std::vector<Vec3> points{{-0.047, 0.01, 0.02}, {-0.052, 0.03, 0.0}, {0.0, 0.0, 0.0}};
+  ContactFinder finder;
+  std::vector<ContactPlane> planes;
+  finder.find(body.moment(points), points, 0.005, kMostRecovery, planes);
+  CHECK(planes[0].gap(points[0]) == Approx(-0.002).margin(1e-5));
+  CHECK(planes[1].gap(points[1]) == Approx(-0.007).margin(1e-5));
+  CHECK((planes[0].normal - Vec3::UnitX()).norm() < 1e-3);
+  CHECK_FALSE(planes[0].held);
+  CHECK(planes[2].normal.isZero());
+  CHECK(planes[2].depth(points[2]) == 0.0);
+}
+
+TEST_CASE("between parts nearer than twice the offset the plane is in the middle, and holds from both sides") {
+  Body body(makeSlabs(0.004));
+  ContactFinder finder;
+  std::vector<ContactPlane> planes;
+  for (const double x : {-0.0045, -0.001, 0.0012, 0.004}) {
+    const std::vector<Vec3> points{{x, 0.01, 0.02}};
+    finder.find(body.moment(points), points, 0.005, kMostRecovery, planes);
+    CHECK(planes[0].held);
+    const Vec3 asked = points[0] + planes[0].depth(points[0]) * planes[0].normal;
+    CHECK(asked[0] == Approx(0.0).margin(3e-4));
+  }
+}
+
+TEST_CASE("a level set is carried along with the body") {
+  Body body(makeSlabs(0.1));
+  body.towards.col(0).array() += 0.02;
+  body.towards.col(1).array() += 0.01;
+  const std::vector<Vec3> points{{-0.039, 0.01, 0.02}};  // 1 mm from the wall that has moved by half of 2 cm
+  ContactFinder finder;
+  std::vector<double> distances;
+  finder.distances(body.moment(points, 0.5), points, distances);
+  CHECK(distances[0] == Approx(0.001).margin(1e-5));
+}
+
+TEST_CASE("distances since the last find follow small moves") {
+  Body body(makeSlabs(0.1));
+  std::vector<Vec3> points{{-0.047, 0.01, 0.02}};
+  ContactFinder finder;
+  std::vector<ContactPlane> planes;
+  finder.find(body.moment(points), points, 0.005, kMostRecovery, planes);
+  points[0][0] -= 0.004;
+  std::vector<double> distances;
+  finder.distancesSinceFind(points, distances);
+  CHECK(distances[0] == Approx(-0.001).margin(1e-5));
+  Penetration penetration;
+  penetration.deepen(distances, 1, 0);
+  CHECK(penetration.vertices == Approx(0.001).margin(1e-5));
+  CHECK(penetration.centroids == 0.0);
+}

@@ -1,0 +1,58 @@
+#include "solver/model/cloth.h"
+
+#include <catch2/catch.hpp>
+#include <numeric>
+
+#include "tests/sheet.h"
+
+using namespace ease;
+
+namespace {
+
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+}  // namespace
+
+TEST_CASE("the masses add up to the density times the area, or to the total asked for") {
+  const TriangleMesh mesh = makeSheet(5, 4, 0.5, 0.4, 0.2);
+  Material material;
+  material.density = 0.15;
+  CHECK(sum(Cloth(mesh, Vec3(0.0, -1.0, 0.0), material).masses()) == Approx(0.15 * 0.2));
+  material.total_mass = 1.5;
+  CHECK(sum(Cloth(mesh, Vec3(0.0, -1.0, 0.0), material).masses()) == Approx(1.5));
+}
+
+TEST_CASE("at rest every triangle's deformation gradient is the material's frame, whatever its vertices' order") {
+  TriangleMesh mesh = makeSheet(5, 4, 0.5, 0.4, 0.2);
+  mesh.triangles.row(3) << mesh.triangles(3, 1), mesh.triangles(3, 2), mesh.triangles(3, 0);
+  const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.2), Material());
+  Mat32 frame;
+  frame << 0.0, 1.0, -1.0, 0.0, 0.0, 0.0;  // warp down, weft = normal x warp
+  for (int t = 0; t < cloth.triangleCount(); ++t) CHECK((cloth.deformation(mesh.positions, t) - frame).norm() < 1e-12);
+}
+
+TEST_CASE("a larger rest shape is heavier, and makes the same shape in space less stretched") {
+  const TriangleMesh mesh = makeSheet(5, 4, 0.5, 0.4);
+  Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
+  const double mass = sum(cloth.masses());
+  std::vector<Mat2> edges = cloth.restEdges();
+  for (Mat2& e : edges) e *= 1.25;
+  cloth.setRest(1.25 * mesh.positions, edges);
+  CHECK(sum(cloth.masses()) == Approx(1.25 * 1.25 * mass));
+  CHECK(cloth.deformation(mesh.positions, 7).col(0).norm() == Approx(0.8));
+}
+
+TEST_CASE("hinges exist where two triangles meet, and only if the cloth bends") {
+  const TriangleMesh mesh = makeSheet(3, 2, 0.3, 0.2);
+  Material material;
+  CHECK(Cloth(mesh, Vec3(0.0, -1.0, 0.0), material).hinges().empty());
+  material.bending = 1e-6;
+  const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), material);
+  int inner = 0;
+  for (const Edge& edge : cloth.topology().edges) inner += edge.isBoundary() ? 0 : 1;
+  CHECK(static_cast<int>(cloth.hinges().size()) == inner);
+  for (const Hinge& hinge : cloth.hinges())
+    CHECK(std::abs(std::accumulate(hinge.stencil.begin(), hinge.stencil.end(), 0.0)) < 1e-12);
+}
