@@ -10,6 +10,8 @@ constexpr int kGrain = 2048;
 constexpr double kReach = 2e-3;           // m beyond the offset: planes that a correction of the step may yet meet
 constexpr double kGive = 0.4;             // of the room there is: how far the cloth may easily sink in
 constexpr double kLeastGive = 2e-4;       // m
+constexpr double kExactBelow = 2e-3;      // m
+constexpr double kFarthest = 0.1;         // m: nothing of the cloth is deeper in the body
 constexpr double kStill = 1e-5;           // m: motion of the body too small to be worth a second look
 constexpr double kRidgeTolerance = 2e-4;  // m: error of the level set's interpolation, not to be taken for a ridge
 
@@ -65,7 +67,11 @@ void ContactFinder::lookUp(const BodyMoment& body, std::span<const Vec3> samples
 void ContactFinder::distances(const BodyMoment& body, std::span<const Vec3> samples, std::vector<double>& distances) {
   lookUp(body, samples);
   distances.resize(samples.size());
-  for (size_t s = 0; s < samples.size(); ++s) distances[s] = found_[s].phi;
+  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
+    distances[s] = found_[s].phi;
+    if (found_[s].triangle < 0 || found_[s].phi > kExactBelow) return;
+    distances[s] = body.tree->signedDistance(samples[s] - body.tau * motionOf(body, found_[s].triangle), kFarthest);
+  });
 }
 
 void ContactFinder::distancesSinceFind(std::span<const Vec3> samples, std::vector<double>& distances) const {

@@ -26,6 +26,7 @@ void sampleCloth(const Positions& x, const Triangles& triangles, const std::vect
 /// The body around the pose that a level set was made of.
 struct BodyMoment {
   LevelSet* level_set;
+  const TriangleTree* tree;    // of the same pose
   const Triangles* triangles;  // of the body
   const Positions* at;         // the pose of the level set
   const Positions* towards;    // the pose before or after it, towards which tau counts
@@ -45,7 +46,7 @@ class ContactFinder {
   void find(const BodyMoment& body, std::span<const Vec3> samples, double offset, double most_recovery,
             std::vector<ContactPlane>& planes);
 
-  /// Signed distance of each sample to the body, m.
+  /// Signed distance of each sample to the body, m; exact where it is below 2 mm.
   void distances(const BodyMoment& body, std::span<const Vec3> samples, std::vector<double>& distances);
 
   /// The same to first order and for nothing, where the samples have moved a little since the last find() at this

@@ -67,7 +67,8 @@ void MovingBody::prepare(int k, std::span<const Vec3> points) {
 BodyMoment MovingBody::at(double s) {
   const int k = static_cast<int>(std::lround(s));
   const double tau = s - k;
-  return {&prepared_[k % 2].level_set, &triangles_, &pose(k), &pose(tau < 0.0 ? k - 1 : k + 1), std::abs(tau)};
+  return {&prepared_[k % 2].level_set,      &prepared_[k % 2].tree, &triangles_, &pose(k),
+          &pose(tau < 0.0 ? k - 1 : k + 1), std::abs(tau)};
 }
 
 void MovingBody::positions(double s, Positions& x) const {

@@ -30,7 +30,7 @@ struct Pattern {
 };
 
 constexpr double kArmHeight = 1.385, kSleeve = 0.30;                                  // |x| of the sleeves' ends, m
-constexpr double kEaseAtShoulder = 0.006, kEaseAtHem = 0.014, kEaseAtSleeve = 0.010;  // m beyond the offset
+constexpr double kEaseAtShoulder = 0.001, kEaseAtHem = 0.003, kEaseAtSleeve = 0.001;  // m beyond the offset
 
 Pattern findPattern(const std::string& name) {
   const Vec3 deep = Vec3::UnitZ();

@@ -1,5 +1,7 @@
 #include "solver/step/incremental_potential.h"
 
+#include <cassert>
+
 #include "solver/linear/parallel.h"
 
 namespace ease {
