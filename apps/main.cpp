@@ -29,7 +29,7 @@ enum ExitCode { kDone = 0, kWrongInput = 1, kFailed = 2, kInterrupted = 130 };
 constexpr const char* kExamples = R"(
 Examples:
   ease run scenes/t-shirt.toml                    results in results/t-shirt
-  ease run scenes/t-shirt.toml -o /tmp/shirt      results in /tmp/shirt
+  ease run scenes/t-shirt.toml -o out/shirt      results in out/shirt
   ease check scenes/t-shirt.toml                  reads and checks everything, computes nothing
 Every key of a scene, with its unit, is explained in scenes/t-shirt.toml.
 Exit codes: 0 done, 1 wrong input, 2 the computation failed, 130 interrupted.)";
@@ -37,7 +37,7 @@ Exit codes: 0 done, 1 wrong input, 2 the computation failed, 130 interrupted.)";
 constexpr const char* kRunExamples = R"(
 Examples:
   ease run scenes/t-shirt.toml
-  ease run scenes/t-shirt.toml -o /tmp/shirt --threads 1
+  ease run scenes/t-shirt.toml -o out/shirt --threads 1
 Open garment.pvd, body.pvd and rest.pvd of the results in ParaView; report.json has the figures.
 Ctrl-C ends a run early and leaves what is written whole; once more, it ends at once.)";
 

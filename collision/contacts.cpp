@@ -1,5 +1,7 @@
 #include "collision/contacts.h"
 
+#include <limits>
+
 #include "solver/linear/parallel.h"
 
 namespace ease {
@@ -44,7 +46,7 @@ void sampleCloth(const Positions& x, const Triangles& triangles, const std::vect
   });
 }
 
-void ContactFinder::lookUp(const BodyMoment& body, std::span<const Vec3> samples) {
+void ContactFinder::lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near) {
   found_.resize(samples.size());
   body.level_set->sample(samples, found_);
   if (body.tau == 0.0) return;
@@ -55,7 +57,8 @@ void ContactFinder::lookUp(const BodyMoment& body, std::span<const Vec3> samples
   for (int s = 0; s < static_cast<int>(samples.size()); ++s) {
     if (found_[s].triangle < 0) continue;
     const Vec3 motion = body.tau * motionOf(body, found_[s].triangle);
-    if (motion.squaredNorm() < kStill * kStill) continue;
+    const double moved = motion.norm();
+    if (moved < kStill || found_[s].phi > near + moved) continue;
     chosen_.push_back(s);
     chosen_points_.push_back(samples[s] - motion);
   }
@@ -65,7 +68,7 @@ void ContactFinder::lookUp(const BodyMoment& body, std::span<const Vec3> samples
 }
 
 void ContactFinder::distances(const BodyMoment& body, std::span<const Vec3> samples, std::vector<double>& distances) {
-  lookUp(body, samples);
+  lookUp(body, samples, std::numeric_limits<double>::infinity());
   distances.resize(samples.size());
   parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
     distances[s] = found_[s].phi;
@@ -89,7 +92,7 @@ void Penetration::deepen(const std::vector<double>& sample_distances, int vertex
 
 void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, double offset, double most_recovery,
                          std::vector<ContactPlane>& planes) {
-  lookUp(body, samples);
+  lookUp(body, samples, offset + kReach);
   found_at_.assign(samples.begin(), samples.end());
   planes.resize(samples.size());
   parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {

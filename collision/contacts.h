@@ -54,7 +54,8 @@ class ContactFinder {
   void distancesSinceFind(std::span<const Vec3> samples, std::vector<double>& distances) const;
 
  private:
-  void lookUp(const BodyMoment& body, std::span<const Vec3> samples);
+  /// Fills found_; samples further than `near` (m) from the body need not be right.
+  void lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near);
   void makeRoom(const BodyMoment& body, std::span<const Vec3> samples, double offset,
                 std::vector<ContactPlane>& planes);
 

@@ -146,7 +146,8 @@ TEST_CASE("an interrupted run ends with exit code 130 and says where its results
   const TemporaryDirectory directory;
   writeHangingCloth(directory, 1000000);
   for (const std::string signal : {"INT", "TERM"}) {
-    const Outcome outcome = runEase(directory, "run hang.toml", "timeout --preserve-status --signal=" + signal + " 1 ");
+    const Outcome outcome =
+        runEase(directory, "run hang.toml", "timeout --foreground --preserve-status --signal=" + signal + " 1 ");
     CHECK(outcome.code == 130);
     CHECK_THAT(outcome.err, Contains("ease: interrupted: ") && Contains("results/hang"));
   }
