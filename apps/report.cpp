@@ -90,7 +90,10 @@ Json toJson(const Report& report, const Scene& scene) {
                     {"cg_iterations", run.cg_iterations},
                     {"factorisations", run.factorisations},
                     {"adaptions", run.adaptions}};
-  json["rescues"] = {{"step_halvings", run.halvings}, {"voxels_on_demand", run.voxels_on_demand}};
+  json["rescues"] = {{"step_halvings", run.halvings},
+                     {"voxels_on_demand", run.voxels_on_demand},
+                     {"contacts_held_between_parts", run.contact.held},
+                     {"contacts_recovery_limited", run.contact.limited}};
   json["level_set_MB"] = run.level_set_MB;
   json["peak_memory_MB"] = peakMemoryMB();
   json["warnings"] = report.warnings;

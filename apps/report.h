@@ -29,6 +29,7 @@ struct PassRecord {
   double level_set_MB = 0.0;
   long newton_iterations = 0, cg_iterations = 0, factorisations = 0;
   long halvings = 0, voxels_on_demand = 0, settle_steps = 0, adaptions = 0;
+  ContactRescues contact;
 };
 
 struct Report {

@@ -49,7 +49,8 @@ class Run {
         record_(record),
         step_(cloth),
         vertex_count_(cloth.vertexCount()),
-        edge_count_(static_cast<int>(cloth.topology().edges.size())) {
+        edge_count_(static_cast<int>(cloth.topology().edges.size())),
+        motion_steps_(timeStepsOfMotion(scene) * (options.adapting && scene.adaption ? scene.adaption->cycles : 1)) {
     if (options.adapting && scene.adaption) stitcher_ = std::make_unique<Stitcher>(cloth);
   }
 
@@ -105,6 +106,8 @@ class Run {
         step_.step(state_, options, pins_, [&](const Positions& x, auto& planes) { findContacts(moment, x, planes); });
     if (!state_.positions.allFinite()) throw ComputationError("a position is not finite");
     ++record_.steps;
+    if (moment.step > motion_steps_) ++record_.settle_steps;
+    record_.contact = contacts_.rescues();
     record_.newton_iterations += step.newton_iterations;
     record_.cg_iterations += step.cg_iterations;
     record_.factorisations += step.factorisations;
@@ -181,6 +184,7 @@ class Run {
   ContactFinder contacts_;
   std::unique_ptr<Stitcher> stitcher_;
   int vertex_count_, edge_count_;
+  int motion_steps_;                      // without settling
   std::vector<int> body_pinned_, fixed_;  // vertices
   std::unique_ptr<BodyPins> body_pins_;
   Pins pins_;
@@ -208,8 +212,10 @@ void runMotion(const Scene& scene, const SceneInput& input, MovingBody* body, Cl
                State& state, PassRecord& record) {
   const Stopwatch watch(record.wall_s);
   const MovingBody::Times before = body ? body->times() : MovingBody::Times();
+  const long voxels_before = body ? body->voxelsOnDemand() : 0;
   const auto finish = [&] {
     if (!body) return;
+    record.voxels_on_demand = body->voxelsOnDemand() - voxels_before;
     record.interpolation_s = body->times().interpolation_s - before.interpolation_s;
     record.level_set_s = body->times().level_set_s - before.level_set_s;
     record.level_set_MB = static_cast<double>(body->levelSetBytes()) / 1e6;

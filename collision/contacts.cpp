@@ -105,10 +105,12 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
   });
   makeRoom(body, samples, offset, planes);
   // No plane asks for more in one step than this: cloth that got too deep is moved out, not shot out.
-  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
+  for (size_t s = 0; s < samples.size(); ++s) {
     const double excess = planes[s].depth(samples[s]) - most_recovery;
-    if (excess > 0.0) planes[s].offset -= excess;
-  });
+    if (excess <= 0.0) continue;
+    planes[s].offset -= excess;
+    ++rescues_.limited;
+  }
 }
 
 void ContactFinder::makeRoom(const BodyMoment& body, std::span<const Vec3> samples, double offset,
@@ -137,6 +139,7 @@ void ContactFinder::makeRoom(const BodyMoment& body, std::span<const Vec3> sampl
     planes[chosen_[k]].offset += way - d;
     planes[chosen_[k]].give = std::max(kLeastGive, kGive * (here.phi + way));
     planes[chosen_[k]].held = true;
+    ++rescues_.held;
   }
 }
 

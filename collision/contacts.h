@@ -39,6 +39,12 @@ struct Penetration {
   void deepen(const std::vector<double>& sample_distances, int vertex_count, int edge_count);
 };
 
+/// Samples, over all calls of find(), whose plane is not simply the offset away from the body.
+struct ContactRescues {
+  long held = 0;     // in the middle between two parts of the body
+  long limited = 0;  // too deep to be moved out in one step
+};
+
 class ContactFinder {
  public:
   /// A plane for each of the samples that touches the body or nearly does.  A plane lies at most `most_recovery` (m)
@@ -53,6 +59,8 @@ class ContactFinder {
   /// moment.
   void distancesSinceFind(std::span<const Vec3> samples, std::vector<double>& distances) const;
 
+  const ContactRescues& rescues() const { return rescues_; }
+
  private:
   /// Fills found_; samples further than `near` (m) from the body need not be right.
   void lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near);
@@ -61,6 +69,7 @@ class ContactFinder {
 
   std::vector<LevelSetSample> found_, ahead_;
   std::vector<Vec3> found_at_;
+  ContactRescues rescues_;
   std::vector<int> chosen_;  // samples looked up a second time
   std::vector<Vec3> chosen_points_;
 };

@@ -59,6 +59,7 @@ void MovingBody::prepare(int k, std::span<const Vec3> points) {
 
   start = std::chrono::steady_clock::now();
   Prepared& prepared = prepared_[k % 2];
+  voxels_on_demand_ += prepared.level_set.filledOnDemand();
   prepared.tree.refit(pose(k));
   prepared.level_set.build(prepared.tree, points, margin_);
   times_.level_set_s += secondsSince(start);
@@ -75,6 +76,12 @@ void MovingBody::positions(double s, Positions& x) const {
   const int k = static_cast<int>(std::lround(s));
   const double tau = s - k;
   x = (1.0 - std::abs(tau)) * pose(k) + std::abs(tau) * pose(tau < 0.0 ? k - 1 : k + 1);
+}
+
+long MovingBody::voxelsOnDemand() const {
+  long voxels = voxels_on_demand_;
+  for (const Prepared& prepared : prepared_) voxels += prepared.level_set.filledOnDemand();
+  return voxels;
 }
 
 size_t MovingBody::levelSetBytes() const {

@@ -40,6 +40,8 @@ class MovingBody {
   };
   const Times& times() const { return times_; }
   size_t levelSetBytes() const;
+  /// Voxels, of all level sets so far, that prepare() did not foresee.
+  long voxelsOnDemand() const;
 
  private:
   int folded(int k) const;
@@ -63,6 +65,7 @@ class MovingBody {
   std::array<Slot, 4> poses_;       // pose k in slot k mod 4
   std::vector<Prepared> prepared_;  // L_k in k mod 2
   Times times_;
+  long voxels_on_demand_ = 0;  // of level sets replaced since
 };
 
 }  // namespace ease

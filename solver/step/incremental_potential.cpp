@@ -1,7 +1,5 @@
 #include "solver/step/incremental_potential.h"
 
-#include <cassert>
-
 #include "solver/linear/parallel.h"
 
 namespace ease {
