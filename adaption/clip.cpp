@@ -1,33 +1,21 @@
 #include "adaption/clip.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "solver/linear/parallel.h"
 
 namespace ease {
 
-ClipOptions clipOptions(double limit) {
-  return {0.95 * limit, 0.8 * limit, 2};
-}
+namespace {
 
-bool clipStretch(const Cloth& cloth, const std::vector<Stretch>& stretch, const ClipOptions& options,
-                 std::vector<Mat2>& growth) {
-  const int m = cloth.triangleCount();
-  const bool any = std::any_of(stretch.begin(), stretch.end(),
-                               [&](const Stretch& s) { return s.sigma_1 > 1.0 + options.act_above; });
-  growth.assign(m, Mat2::Identity());
-  if (!any) return false;
-  parallelFor(m, 512, [&](int t) {
-    const Stretch& s = stretch[t];
-    if (s.sigma_1 <= 1.0 + options.act_above) return;
-    const double g1 = std::max(1.0, s.sigma_1 / (1.0 + options.grow_to));
-    const double g2 = std::max(1.0, s.sigma_2 / (1.0 + options.grow_to));
-    growth[t] = g2 * Mat2::Identity() + (g1 - g2) * s.direction * s.direction.transpose();
-  });
+constexpr double kMostGrowth = 1.02;  // at a time
+constexpr int kSmoothing = 2;         // passes over neighbours
 
-  std::vector<Mat2> smoothed(m);
-  for (int pass = 0; pass < options.smoothing; ++pass) {
-    parallelFor(m, 512, [&](int t) {
+void smooth(const Cloth& cloth, std::vector<Mat2>& growth) {
+  std::vector<Mat2> smoothed(growth.size());
+  for (int pass = 0; pass < kSmoothing; ++pass) {
+    parallelFor(cloth.triangleCount(), 512, [&](int t) {
       Mat2 sum = growth[t];
       int count = 1;
       for (int corner = 0; corner < 3; ++corner) {
@@ -41,7 +29,33 @@ bool clipStretch(const Cloth& cloth, const std::vector<Stretch>& stretch, const 
     });
     growth.swap(smoothed);
   }
-  return true;
+}
+
+}  // namespace
+
+StretchGoal stretchGoal(double limit, double growth) {
+  const double hardened = std::clamp((growth - 1.0) / 0.7, 0.0, 1.0);
+  return {1.0 + (0.7 + 0.25 * hardened) * limit, 1.0 + (0.6 + 0.25 * hardened) * limit};
+}
+
+StretchClip::StretchClip(const Cloth& cloth, double limit) : first_edges_(cloth.restEdges()), limit_(limit) {}
+
+bool StretchClip::clip(const Cloth& cloth, const std::vector<Stretch>& stretch, std::vector<Mat2>& growth) const {
+  growth.resize(cloth.triangleCount());
+  std::atomic<bool> any = false;
+  parallelFor(cloth.triangleCount(), 512, [&](int t) {
+    const Stretch& s = stretch[t];
+    const Mat2 to_first = first_edges_[t] * cloth.restInverse()[t];
+    const StretchGoal goal = stretchGoal(limit_, 1.0 / (to_first * s.direction).norm());
+    growth[t].setIdentity();
+    if (s.sigma_1 <= goal.act_above) return;
+    any = true;
+    const double g1 = std::clamp(s.sigma_1 / goal.grow_to, 1.0, kMostGrowth);
+    const double g2 = std::clamp(s.sigma_2 / goal.grow_to, 1.0, kMostGrowth);
+    growth[t] = g2 * Mat2::Identity() + (g1 - g2) * s.direction * s.direction.transpose();
+  });
+  if (any) smooth(cloth, growth);
+  return any;
 }
 
 }  // namespace ease

@@ -3,9 +3,15 @@
 //   F = U diag(sigma_i) Vᵀ, clipped to U diag(min(sigma_i, 1 + limit)) Vᵀ, asks for rest edges
 //   D' = G D,   G = V diag(max(1, sigma_i / (1 + limit))) Vᵀ     2x2, symmetric, >= 1
 //
-// after Wolff et al. 2022.  Compression is always allowed.  Clipping alone is yielding without hardening: one row of
-// triangles grows on while its neighbours do not.  Growth is therefore smoothed over neighbours, whose tensors are
-// comparable since all triangles share the material's frame.
+// after Wolff et al. 2022.  Compression is always allowed.
+//
+// Clipping alone is yielding without hardening, and necks like it: tension is the same all along a loop around the
+// body, so that the triangle that yields first relieves all others and is the one that yields the next time too.  Three
+// things spread the growth:
+//   - cloth that has grown already is let nearer to the limit than cloth that has not (hardening);
+//   - a triangle grows by a little at a time, so that the others have their share of what is left;
+//   - growth is smoothed over neighbours, whose tensors are comparable since all share the material's frame.
+// Shirt of 3,032 vertices, T to A to arms up, 5 times: largest growth 1.8 where it was above 3.
 #pragma once
 
 #include <vector>
@@ -14,17 +20,24 @@
 
 namespace ease {
 
-struct ClipOptions {
-  double act_above;  // stretch above 1 + this grows: below the limit, so that it is kept between adaptions
-  double grow_to;    // ... until it is 1 + this
-  int smoothing;     // passes over neighbours
+class StretchClip {
+ public:
+  /// Growth counts from the cloth's present rest shape.  `limit`: delta, > 0.
+  StretchClip(const Cloth& cloth, double limit);
+
+  /// Growth tensor of every triangle for the cloth's present stretches; returns false where none grows.
+  bool clip(const Cloth& cloth, const std::vector<Stretch>& stretch, std::vector<Mat2>& growth) const;
+
+ private:
+  std::vector<Mat2> first_edges_;
+  double limit_;
 };
 
-/// Options for a limit delta.
-ClipOptions clipOptions(double limit);
-
-/// Growth tensor of every triangle; returns false where none grows.
-bool clipStretch(const Cloth& cloth, const std::vector<Stretch>& stretch, const ClipOptions& options,
-                 std::vector<Mat2>& growth);
+/// Stretch above which cloth grows that has grown `growth` times in that direction so far, and the stretch that it then
+/// grows to: below 1 + limit, so that it is kept between adaptions too.
+struct StretchGoal {
+  double act_above, grow_to;
+};
+StretchGoal stretchGoal(double limit, double growth);
 
 }  // namespace ease

@@ -85,6 +85,11 @@ Json toJson(const Report& report, const Scene& scene) {
     deepest.centroids = std::max(deepest.centroids, pass->penetration.centroids);
   }
   json["penetration_mm"] = penetration(deepest);
+  json["penetration_mm"]["run"] = penetration(run.penetration);
+  if (report.verified) {
+    json["penetration_mm"]["before"] = penetration(report.before.penetration);
+    json["penetration_mm"]["after"] = penetration(report.after.penetration);
+  }
   json["final_speed_m_s"] = run.final_speed_m_s;
   json["solver"] = {{"newton_iterations", run.newton_iterations},
                     {"cg_iterations", run.cg_iterations},

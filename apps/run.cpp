@@ -4,6 +4,7 @@
 #include <oneapi/tbb/task_group.h>
 
 #include <limits>
+#include <optional>
 
 #include "adaption/clip.h"
 #include "adaption/stitch.h"
@@ -51,7 +52,9 @@ class Run {
         vertex_count_(cloth.vertexCount()),
         edge_count_(static_cast<int>(cloth.topology().edges.size())),
         motion_steps_(timeStepsOfMotion(scene) * (options.adapting && scene.adaption ? scene.adaption->cycles : 1)) {
-    if (options.adapting && scene.adaption) stitcher_ = std::make_unique<Stitcher>(cloth);
+    if (!options.adapting || !scene.adaption) return;
+    clip_.emplace(cloth, scene.adaption->limit);
+    stitcher_.emplace(cloth);
   }
 
   void operator()() {
@@ -151,7 +154,7 @@ class Run {
 
   void adapt() {
     const Stopwatch watch(record_.adaption_s);
-    if (!clipStretch(cloth_, stretch_, clipOptions(scene_.adaption->limit), growth_)) return;
+    if (!clip_->clip(cloth_, stretch_, growth_)) return;
     stitcher_->stitch(cloth_, growth_);
     ++record_.adaptions;
   }
@@ -182,7 +185,8 @@ class Run {
 
   NewtonStep step_;
   ContactFinder contacts_;
-  std::unique_ptr<Stitcher> stitcher_;
+  std::optional<StretchClip> clip_;
+  std::optional<Stitcher> stitcher_;
   int vertex_count_, edge_count_;
   int motion_steps_;                      // without settling
   std::vector<int> body_pinned_, fixed_;  // vertices

@@ -43,7 +43,7 @@ struct SolverScene {
 
 struct CollisionScene {
   double offset = 0.005;   // comfort: least distance to the body, m
-  double voxel = 0.005;    // m
+  double voxel = 0.01;     // m
   double stiffness = 3e6;  // contact pressure per depth, N/m^3
 };
 

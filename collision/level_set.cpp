@@ -22,13 +22,14 @@ using Leaf = Tree::LeafNodeType;
 using Accessor = openvdb::tree::ValueAccessor<const Tree, false>;
 using openvdb::Coord;
 
-constexpr int kSide = Leaf::DIM;  // voxels along a leaf
+constexpr int kSide = Leaf::DIM;    // voxels along a leaf
+constexpr double kAgreement = 0.9;  // of corners' gradients, as the length of their mean: below, the surface is folded
 constexpr float kUnfilled = std::numeric_limits<float>::quiet_NaN();
 
-/// What a corner holds besides phi, which is in the leaf's own buffer.
+/// What a corner holds; the leaf's own buffer has phi too.
 struct Corner {
   float gradient[3];  // unit; zero beyond the band
-  int triangle;       // nearest; -1 beyond the band
+  float phi;          // m
 };
 
 struct Voxel {
@@ -39,7 +40,6 @@ struct Voxel {
 /// The voxel that a sample lies in; corner 4 i + 2 j + k is i, j, k steps up along x, y, z from the lowest.
 struct Surroundings {
   float within[3];  // where the sample lies between the lowest corner, 0, and the highest, 1
-  float phi[8];     // m
   const Corner* corner[8];
 };
 
@@ -56,10 +56,12 @@ struct LevelSet::Data {
   LevelSetOptions options;
   double per_voxel;    // 1/m
   double corner_band;  // m: of a sample within the band, no corner is further from the surface
+  float far;           // the same: |phi| of a corner beyond it
   VoxelMarks marks;
   openvdb::FloatGrid::Ptr grid;
   std::vector<Leaf*> leaves;    // leaf l has transientData() l
   std::vector<Corner> corners;  // of leaf l: corners[512 l] ... in the order of its buffer
+  std::vector<int> nearest;     // triangle nearest to each corner; -1 beyond the band
   const TriangleTree* body = nullptr;
   Eigen::AlignedBox3d reach;                   // outside, every distance is beyond the band
   std::vector<unsigned char> nearest_to_some;  // of the body's triangles: whether it is nearest to a corner
@@ -75,13 +77,16 @@ struct LevelSet::Data {
   }
 
   void createLeaves();
+  void resizeCorners();
   void fillLeaf(Leaf& leaf);
   void resolveOverlap();
   void fillVoxel(const Voxel& voxel);
   void store(const Voxel& voxel, const Vec3& x, const ClosestPoint& found);
+  Vec3 gradientAt(const Vec3& x, const ClosestPoint& found) const;
   void demand(const Coord& corner, openvdb::tree::ValueAccessor<Tree, false>& accessor);
   LevelSetSample sampleAt(const Vec3& x, Accessor& accessor) const;
-  LevelSetSample blend(const Surroundings& around) const;
+  LevelSetSample blend(const Vec3& x, const Surroundings& around) const;
+  LevelSetSample exactAt(const Vec3& x, int nearby) const;
 };
 
 LevelSet::LevelSet(const LevelSetOptions& options) : data_(std::make_unique<Data>()) {
@@ -92,6 +97,7 @@ LevelSet::LevelSet(const LevelSetOptions& options) : data_(std::make_unique<Data
   data_->options = options;
   data_->per_voxel = 1.0 / options.voxel;
   data_->corner_band = options.band + std::sqrt(3.0) * options.voxel;
+  data_->far = static_cast<float>(data_->corner_band);
   data_->grid = openvdb::FloatGrid::create(kUnfilled);
   data_->grid->setTransform(openvdb::math::Transform::createLinearTransform(options.voxel));
 }
@@ -127,23 +133,28 @@ void LevelSet::Data::createLeaves() {
     leaf->setTransientData(static_cast<openvdb::Index32>(leaves.size()));
     leaves.push_back(leaf);
   }
+  resizeCorners();
+}
+
+void LevelSet::Data::resizeCorners() {
   corners.resize(leaves.size() * Leaf::SIZE);
+  nearest.resize(corners.size());
 }
 
 /// Distances signed by the pseudonormals, which is right but where the surface overlaps itself.
 void LevelSet::Data::fillLeaf(Leaf& leaf) {
-  const Corner* filled = &corners[leaf.transientData() * size_t{Leaf::SIZE}];
+  const int* filled = &nearest[leaf.transientData() * size_t{Leaf::SIZE}];
   const float* phi = leaf.buffer().data();
   for (auto on = leaf.getValueMask().beginOn(); on; ++on) {
     const int offset = static_cast<int>(on.pos()), before = filledNeighbour(leaf, offset);
     const Vec3 x = position(leaf.offsetToGlobalCoord(on.pos()));
-    ClosestPoint found = body->closest(x, corner_band, before >= 0 ? filled[before].triangle : -1);
+    ClosestPoint found = body->closest(x, corner_band, before >= 0 ? filled[before] : -1);
     if (found.triangle >= 0) {
       if ((x - found.point).dot(found.pseudonormal) < 0.0) found.distance = -found.distance;
       std::atomic_ref(nearest_to_some[found.triangle]).store(1, std::memory_order_relaxed);
     } else {
       // The way from one corner to the next, which is shorter than the band, does not cross the surface.
-      const bool known = before >= 0 && filled[before].triangle < 0;
+      const bool known = before >= 0 && filled[before] < 0;
       if (known ? phi[before] < 0.0f : body->windingNumber(x) > 0) found.distance = -found.distance;
     }
     store({&leaf, offset}, x, found);
@@ -157,7 +168,7 @@ void LevelSet::Data::resolveOverlap() {
   const std::span<const Exposure> exposures = overlap.exposures();
   parallelFor(static_cast<int>(leaves.size()), 1, [&](int l) {
     for (auto on = leaves[l]->getValueMask().beginOn(); on; ++on) {
-      const int triangle = corners[l * size_t{Leaf::SIZE} + on.pos()].triangle;
+      const int triangle = nearest[l * size_t{Leaf::SIZE} + on.pos()];
       if (triangle < 0 || exposures[triangle] == Exposure::boundary) continue;
       const Vec3 x = position(leaves[l]->offsetToGlobalCoord(on.pos()));
       store({leaves[l], static_cast<int>(on.pos())}, x, body->closestOfUnion(x, corner_band, triangle, exposures));
@@ -170,17 +181,20 @@ void LevelSet::Data::fillVoxel(const Voxel& voxel) {
   store(voxel, x, body->closestOfUnion(x, corner_band));
 }
 
+Vec3 LevelSet::Data::gradientAt(const Vec3& x, const ClosestPoint& found) const {
+  if (found.triangle < 0) return Vec3::Zero();
+  // On the surface the direction to the closest point is lost in rounding; the pseudonormal takes its place.
+  const bool on_surface = std::abs(found.distance) < 1e-7 * options.voxel;
+  return on_surface ? found.pseudonormal.normalized() : Vec3((x - found.point) / found.distance);
+}
+
 void LevelSet::Data::store(const Voxel& voxel, const Vec3& x, const ClosestPoint& found) {
-  Vec3 gradient = Vec3::Zero();
-  if (found.triangle >= 0) {
-    // On the surface the direction to the closest point is lost in rounding; the pseudonormal takes its place.
-    const bool on_surface = std::abs(found.distance) < 1e-7 * options.voxel;
-    gradient = on_surface ? found.pseudonormal.normalized() : Vec3((x - found.point) / found.distance);
-  }
+  const Vec3 gradient = gradientAt(x, found);
   voxel.leaf->buffer().data()[voxel.offset] = static_cast<float>(found.distance);
-  Corner& corner = corners[voxel.leaf->transientData() * Leaf::SIZE + voxel.offset];
-  for (int axis = 0; axis < 3; ++axis) corner.gradient[axis] = static_cast<float>(gradient[axis]);
-  corner.triangle = found.triangle;
+  const size_t at = voxel.leaf->transientData() * size_t{Leaf::SIZE} + voxel.offset;
+  for (int axis = 0; axis < 3; ++axis) corners[at].gradient[axis] = static_cast<float>(gradient[axis]);
+  corners[at].phi = static_cast<float>(found.distance);
+  nearest[at] = found.triangle;
 }
 
 LevelSetSample LevelSet::Data::sampleAt(const Vec3& x, Accessor& accessor) const {
@@ -193,48 +207,46 @@ LevelSetSample LevelSet::Data::sampleAt(const Vec3& x, Accessor& accessor) const
   // bits.
   int crossed = 0;
   for (int axis = 0; axis < 3; ++axis) crossed |= (low[axis] & (kSide - 1)) == kSide - 1 ? 4 >> axis : 0;
-  const float* phi[8];
-  const Corner* corner[8];
+  const Leaf* leaf[8];
   for (int c = 0; c < 8; ++c) {
     const Coord at = low.offsetBy(c >> 2, (c >> 1) & 1, c & 1);
-    const int first = c & crossed;
-    if (first == c) {
-      const Leaf* leaf = accessor.probeConstLeaf(at);
-      if (!leaf) return {kUnfilled, Vec3::Zero(), -1};
-      phi[c] = leaf->buffer().data();
-      corner[c] = &corners[leaf->transientData() * size_t{Leaf::SIZE}];
-    }
+    leaf[c] = (c & crossed) == c ? accessor.probeConstLeaf(at) : leaf[c & crossed];
     const openvdb::Index offset = Leaf::coordToOffset(at);
-    around.phi[c] = phi[first][offset];
-    around.corner[c] = corner[first] + offset;
-    if (std::isnan(around.phi[c])) return {kUnfilled, Vec3::Zero(), -1};
+    if (!leaf[c] || !leaf[c]->isValueOn(offset)) return {kUnfilled, Vec3::Zero(), -1};
+    around.corner[c] = &corners[leaf[c]->transientData() * size_t{Leaf::SIZE} + offset];
   }
-  return blend(around);
+  return blend(x, around);
 }
 
-LevelSetSample LevelSet::Data::blend(const Surroundings& around) const {
+LevelSetSample LevelSet::Data::blend(const Vec3& x, const Surroundings& around) const {
   const float* f = around.within;
   const float along_x[2] = {1.0f - f[0], f[0]}, along_y[2] = {1.0f - f[1], f[1]}, along_z[2] = {1.0f - f[2], f[2]};
-  float sum = 0.0f, slope = 0.0f, n[3] = {0.0f, 0.0f, 0.0f};
+  Eigen::Array4f sum = Eigen::Array4f::Zero();  // of w_i (g_i, phi_i)
+  float slope = 0.0f;
   for (int c = 0; c < 8; ++c) {
     const int i = c >> 2, j = (c >> 1) & 1, k = c & 1;
     const Corner& corner = *around.corner[c];
-    if (corner.triangle < 0) return {std::copysign(options.band, around.phi[c]), Vec3::Zero(), -1};
+    if (std::abs(corner.phi) >= far) return {std::copysign(options.band, corner.phi), Vec3::Zero(), -1};
     const float* g = corner.gradient;
     const float weight = along_x[i] * along_y[j] * along_z[k];
-    sum += weight * around.phi[c];
+    sum += weight * Eigen::Map<const Eigen::Array4f>(g);
     slope += weight * (g[0] * (f[0] - i) + g[1] * (f[1] - j) + g[2] * (f[2] - k));
-    for (int axis = 0; axis < 3; ++axis) n[axis] += weight * g[axis];
   }
-  const double distance = sum + 0.5 * options.voxel * slope;
+  const double distance = sum[3] + 0.5 * options.voxel * slope;
   if (std::abs(distance) >= options.band) return {std::copysign(options.band, distance), Vec3::Zero(), -1};
-  const Corner& nearest = *around.corner[(f[0] > 0.5f ? 4 : 0) + (f[1] > 0.5f ? 2 : 0) + (f[2] > 0.5f ? 1 : 0)];
-  Vec3 normal(n[0], n[1], n[2]);
-  // Where two sides of the surface are equally near, their gradients cancel and what is left points nowhere.
-  constexpr double kCancelled = 0.1;
-  if (normal.squaredNorm() < kCancelled * kCancelled)
-    normal = Vec3(nearest.gradient[0], nearest.gradient[1], nearest.gradient[2]);
-  return {distance, normal.normalized(), nearest.triangle};
+  const Corner* closest = around.corner[(f[0] > 0.5f ? 4 : 0) + (f[1] > 0.5f ? 2 : 0) + (f[2] > 0.5f ? 1 : 0)];
+  const int triangle = nearest[closest - corners.data()];
+  const Vec3 normal(sum[0], sum[1], sum[2]);
+  const double agreement = normal.norm();
+  if (agreement < kAgreement) return exactAt(x, triangle);
+  return {distance, normal / agreement, triangle};
+}
+
+LevelSetSample LevelSet::Data::exactAt(const Vec3& x, int nearby) const {
+  const ClosestPoint found = body->closestOfUnion(x, corner_band, nearby, overlap.exposures());
+  if (found.triangle < 0 || std::abs(found.distance) >= options.band)
+    return {std::copysign(options.band, found.distance), Vec3::Zero(), -1};
+  return {found.distance, gradientAt(x, found), found.triangle};
 }
 
 void LevelSet::sample(std::span<const Vec3> points, std::span<LevelSetSample> samples) {
@@ -269,7 +281,7 @@ void LevelSet::Data::demand(const Coord& corner, openvdb::tree::ValueAccessor<Tr
     leaf = accessor.touchLeaf(corner);
     leaf->setTransientData(static_cast<openvdb::Index32>(leaves.size()));
     leaves.push_back(leaf);
-    corners.resize(leaves.size() * Leaf::SIZE);
+    resizeCorners();
   }
   const openvdb::Index offset = Leaf::coordToOffset(corner);
   if (leaf->isValueOn(offset)) return;
@@ -278,7 +290,7 @@ void LevelSet::Data::demand(const Coord& corner, openvdb::tree::ValueAccessor<Tr
 }
 
 size_t LevelSet::memoryBytes() const {
-  return data_->grid->tree().memUsage() + data_->corners.capacity() * sizeof(Corner) +
+  return data_->grid->tree().memUsage() + data_->corners.capacity() * (sizeof(Corner) + sizeof(int)) +
          data_->leaves.capacity() * sizeof(Leaf*) + data_->nearest_to_some.capacity() + data_->overlap.memoryBytes();
 }
 

@@ -9,7 +9,9 @@
 // The errors of trilinear interpolation (phi_i alone) and of blended tangent planes (the whole of g_i) are equal and
 // opposite to second order; their mean is of third order where phi is smooth.  A sparse grid holds phi; its unfilled
 // corners are NaN, so that a sample that needs one shows itself.  Corners are searched as far as band + sqrt(3) voxels,
-// so that all eight of a sample within the band are exact.  The body is the union of all that its surface encloses.
+// so that all eight of a sample within the band are exact.  Where the corners' gradients disagree, in a fold or at a
+// ridge, nothing blended is right, and the sample is computed exactly.  The body is the union of all that its surface
+// encloses.
 #pragma once
 
 #include <memory>

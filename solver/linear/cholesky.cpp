@@ -6,7 +6,10 @@
 #include <cstring>
 #include <new>
 
-extern "C" void openblas_set_num_threads(int threads);
+extern "C" {
+void openblas_set_num_threads(int threads);
+void omp_set_max_active_levels(int levels);
+}
 
 namespace ease {
 
@@ -77,6 +80,8 @@ void Cholesky::analyse(const SparseMatrix& lower, std::span<const int> ordering)
 
 bool Cholesky::factor(const SparseMatrix& lower) {
   assert(data_->factor);
+  // CHOLMOD opens four OpenMP threads a supernode, whatever it is asked for, that spin where ours work.
+  omp_set_max_active_levels(0);
   cholmod_sparse a = view(lower);
   cholmod_factorize(&a, data_->factor, &data_->common);
   if (data_->common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
@@ -102,6 +107,23 @@ void Cholesky::solve(const double* b, double* x, int columns) const {
                                 &data_->common);
   if (!ok) throw std::bad_alloc();
   std::memcpy(x, data_->x->x, n * columns * sizeof(double));
+}
+
+void Cholesky::copyTo(Panels& panels) const {
+  assert(data_->factored && data_->factor->is_super);
+  const cholmod_factor& factor = *data_->factor;
+  const auto copy = [](const void* from, size_t count) {
+    const int* begin = static_cast<const int*>(from);
+    return std::vector<int>(begin, begin + count);
+  };
+  PanelShape shape;
+  shape.first_column = copy(factor.super, factor.nsuper + 1);
+  shape.row_start = copy(factor.pi, factor.nsuper + 1);
+  shape.rows = copy(factor.s, shape.row_start.back());
+  const std::vector<int> value_start = copy(factor.px, factor.nsuper + 1);
+  shape.value_start.assign(value_start.begin(), value_start.end());
+  shape.ordering = ordering();
+  panels.set(shape, {static_cast<const double*>(factor.x), shape.value_start.back()});
 }
 
 std::vector<int> Cholesky::ordering() const {

@@ -3,15 +3,16 @@
 //   A   symmetric positive definite, given by its lower triangle, compressed columns
 //   P   ordering that keeps L sparse: found once for a pattern, reused for every set of values
 //
-// A simplicial factor is solved with sooner than a supernodal one for the first ring of a mesh, n x n and 3n x 3n alike
-// (shirt of 4,271 vertices, whole run: 1.3 times the steps per second); a supernodal one is factored sooner where fill
-// is large.
+// A simplicial factor is kept and solved with here, in double precision.  A supernodal one is factored sooner where
+// fill is large, and can be handed on as panels, with which a preconditioner is solved (panels.h).
 #pragma once
 
 #include <Eigen/SparseCore>
 #include <memory>
 #include <span>
 #include <vector>
+
+#include "solver/linear/panels.h"
 
 namespace ease {
 
@@ -35,6 +36,9 @@ class Cholesky {
 
   /// Solves A x = b for `columns` right-hand sides, each of n values, one after the other.  b and x may be the same.
   void solve(const double* b, double* x, int columns) const;
+
+  /// Rounds a supernodal factor to panels.
+  void copyTo(Panels& panels) const;
 
   /// The ordering in use: row that comes k-th.
   std::vector<int> ordering() const;

@@ -12,6 +12,16 @@ constexpr double kLinearTolerance = 1e-2;  // of a Newton correction: well below
 constexpr int kMostHalvings = 10;
 constexpr double kRoundOff = 1e-12;  // of the potential: an increase that means nothing
 
+// Vertices that are predicted deeper than a contact gives way start from where it does: from below, Newton's method on
+// a spring that stiffens brings them only a third of the way out.
+void liftOut(const std::vector<ContactPlane>& contacts, const std::vector<char>& fixed, Positions& x) {
+  if (contacts.empty()) return;
+  for (int i = 0; i < x.rows(); ++i) {
+    const double excess = contacts[i].depth(x.row(i)) - contacts[i].give;
+    if (excess > 0.0 && !fixed[i] && !contacts[i].held) x.row(i) += excess * contacts[i].normal;
+  }
+}
+
 }  // namespace
 
 NewtonStep::NewtonStep(const Cloth& cloth)
@@ -39,6 +49,7 @@ StepSummary NewtonStep::step(State& state, const StepOptions& options, const Pin
   holdPins(pins, x_);
   find_contacts(x_, contacts_);
   potential_.setContacts(contacts_);
+  liftOut(contacts_, fixed_, x_);
 
   potential_.gradient(x_, gradient_);
   potential_.hessian(x_, hessian_);

