@@ -34,8 +34,8 @@ Mat32 nearestRotation(const Mat32& A) {
   return A * root.inverse();
 }
 
-Stitcher::Stitcher(const Cloth& cloth)
-    : system_(cloth.vertexCount(), cloth.triangles()), reference_inverse_(cloth.restInverse()) {
+Stitcher::Stitcher(const Cloth& cloth, std::span<const int> ordering)
+    : system_(cloth.vertexCount(), cloth.triangles(), ordering), reference_inverse_(cloth.restInverse()) {
   std::vector<double> diagonal(cloth.vertexCount(), 0.0);
   for (int t = 0; t < cloth.triangleCount(); ++t) {
     const Mat32 b = shapeGradients(reference_inverse_[t]);

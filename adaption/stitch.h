@@ -22,7 +22,8 @@ namespace ease {
 class Stitcher {
  public:
   /// Factors for the cloth's first rest shape; its cotangents serve for all later ones.
-  explicit Stitcher(const Cloth& cloth);
+  /// `ordering`: of the mesh's systems.
+  Stitcher(const Cloth& cloth, std::span<const int> ordering);
 
   /// Gives the cloth the rest shape nearest to its triangles grown by `growth` (2x2 each; identity: as it was).
   void stitch(Cloth& cloth, const std::vector<Mat2>& growth);

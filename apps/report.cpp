@@ -91,7 +91,11 @@ Json toJson(const Report& report, const Scene& scene) {
     json["penetration_mm"]["after"] = penetration(report.after.penetration);
   }
   json["final_speed_m_s"] = run.final_speed_m_s;
-  json["solver"] = {{"newton_iterations", run.newton_iterations},
+  json["solver"] = {{"tolerance", scene.solver.tolerance},
+                    {"projective_iterations", run.projective_iterations},
+                    {"handed_over_to_newton", run.handed_over},
+                    {"contact_rounds", run.contact_rounds},
+                    {"newton_iterations", run.newton_iterations},
                     {"cg_iterations", run.cg_iterations},
                     {"factorisations", run.factorisations},
                     {"adaptions", run.adaptions}};

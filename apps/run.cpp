@@ -37,6 +37,10 @@ struct Ahead {
   ~Ahead() { group.wait(); }
 };
 
+MethodOptions methodOptions(const SolverScene& solver) {
+  return {methodNamed(solver.method), solver.tolerance, solver.residual, solver.iterations};
+}
+
 class Run {
  public:
   Run(const Scene& scene, const SceneInput& input, MovingBody* body, Cloth& cloth, const RunOptions& options,
@@ -48,13 +52,14 @@ class Run {
         options_(options),
         state_(state),
         record_(record),
-        step_(cloth),
+        ordering_(systemOrdering(cloth.vertexCount(), cloth.triangles())),
+        step_(cloth, methodOptions(scene.solver), ordering_),
         vertex_count_(cloth.vertexCount()),
         edge_count_(static_cast<int>(cloth.topology().edges.size())),
         motion_steps_(timeStepsOfMotion(scene) * (options.adapting && scene.adaption ? scene.adaption->cycles : 1)) {
     if (!options.adapting || !scene.adaption) return;
     clip_.emplace(cloth, scene.adaption->limit);
-    stitcher_.emplace(cloth);
+    stitcher_.emplace(cloth, ordering_);
   }
 
   void operator()() {
@@ -112,6 +117,9 @@ class Run {
     if (moment.step > motion_steps_) ++record_.settle_steps;
     record_.contact = contacts_.rescues();
     record_.newton_iterations += step.newton_iterations;
+    record_.projective_iterations += step.projective_iterations;
+    record_.contact_rounds += step.contact_rounds;
+    record_.handed_over += step.handed_over ? 1 : 0;
     record_.cg_iterations += step.cg_iterations;
     record_.factorisations += step.factorisations;
     record_.halvings += step.halvings;
@@ -183,7 +191,8 @@ class Run {
   State& state_;
   PassRecord& record_;
 
-  NewtonStep step_;
+  std::vector<int> ordering_;  // of all systems on the garment's mesh
+  TimeStep step_;
   ContactFinder contacts_;
   std::optional<StretchClip> clip_;
   std::optional<Stitcher> stitcher_;

@@ -11,7 +11,7 @@
 #include "apps/scene.h"
 #include "apps/timeline.h"
 #include "collision/moving_body.h"
-#include "solver/step/newton.h"
+#include "solver/step/time_step.h"
 #include "viz/series.h"
 
 namespace ease {

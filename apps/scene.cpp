@@ -90,14 +90,25 @@ void readDamping(const TomlTable& table, Material& material) {
 }
 
 Material readMaterial(const TomlTable& table) {
-  table.allow({"density", "total_mass", "stretch", "shear", "bending", "damping"});
+  table.allow({"density", "total_mass", "membrane", "stretch", "shear", "shear_form", "mu", "lambda", "bending",
+               "damping"});
   Material material;
   if (table.has("density") && table.has("total_mass"))
     table.refuse("total_mass", "either density or total_mass, not both");
   material.density = table.number("density", material.density, {0.0, 100.0, true, "kg/m^2"});
   if (table.has("total_mass")) material.total_mass = table.number("total_mass", 0.0, {0.0, 1000.0, true, "kg"});
 
+  const bool woven = table.choice("membrane", "woven", {"woven", "isotropic"}) == "woven";
+  material.membrane = woven ? Membrane::woven : Membrane::isotropic;
+  for (const char* key : {"stretch", "shear", "shear_form"})
+    if (!woven && table.has(key)) table.refuse(key, "mu and lambda, since the membrane is isotropic");
+  for (const char* key : {"mu", "lambda"})
+    if (woven && table.has(key)) table.refuse(key, "membrane = 'isotropic' for it");
+  const bool bw98 = table.choice("shear_form", "orthogonal", {"orthogonal", "bw98"}) == "bw98";
+  material.shear_form = bw98 ? ShearForm::bw98 : ShearForm::orthogonal;
   const Range membrane{0.0, 1e7, false, "N/m"};
+  material.mu = table.number("mu", material.mu, {0.0, 1e7, true, "N/m"});
+  material.lambda = table.number("lambda", material.lambda, membrane);
   if (table.isArray("stretch")) {
     const std::vector<double> stretch = table.numbers("stretch", membrane);
     if (stretch.size() != 2) table.refuse("stretch", "one number or two, [warp, weft], N/m");
@@ -108,16 +119,26 @@ Material readMaterial(const TomlTable& table) {
   }
   material.shear = table.number("shear", material.shear, membrane);
   material.bending = table.number("bending", material.bending, {0.0, 1e3, false, "N m"});
-  if (material.stretch_warp + material.stretch_weft + material.shear + material.bending == 0.0)
+  if (woven && material.stretch_warp + material.stretch_weft + material.shear + material.bending == 0.0)
     table.refuse("stretch", "a stiffness above 0: with stretch, shear and bending all 0 there is no cloth");
   if (const auto damping = table.table("damping")) readDamping(*damping, material);
   return material;
 }
 
 SolverScene readSolver(const TomlTable& table, bool has_body) {
-  table.allow({"method", "time_step", "steps_per_pose", "steps", "gravity", "threads"});
+  table.allow({"method", "tolerance", "residual", "iterations", "time_step", "steps_per_pose", "steps", "gravity", "threads"});
   SolverScene solver;
-  solver.method = table.choice("method", solver.method, {"bw1"});
+  solver.method = table.choice("method", solver.method, {"auto", "bw1", "newton", "pd", "pd-lbfgs"});
+  const auto onlyFor = [&](const char* key, std::initializer_list<const char*> methods, const char* expected) {
+    if (table.has(key) && std::find(methods.begin(), methods.end(), solver.method) == methods.end())
+      table.refuse(key, expected);
+  };
+  onlyFor("tolerance", {"auto", "pd-lbfgs"}, "method = 'auto' or 'pd-lbfgs' for a tolerance");
+  onlyFor("residual", {"newton"}, "method = 'newton' for a residual");
+  onlyFor("iterations", {"pd"}, "method = 'pd' for a number of iterations");
+  solver.tolerance = table.number("tolerance", solver.tolerance, {0.0, 1.0, true, ""});
+  solver.residual = table.number("residual", solver.residual, {0.0, 1e6, true, "m/s^2"});
+  solver.iterations = table.integer("iterations", solver.iterations, 1, 100000);
   solver.time_step = table.number("time_step", solver.time_step, {0.0, 1.0, true, "s"});
   if (has_body && table.has("steps"))
     table.refuse("steps", "steps_per_pose, since with a [body] the poses say how long the motion lasts");

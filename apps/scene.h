@@ -33,7 +33,10 @@ struct GarmentScene {
 };
 
 struct SolverScene {
-  std::string method = "bw1";
+  std::string method = "auto";       // time_step.h
+  double tolerance = 0.05;           // pd-lbfgs, auto: relative error of a step
+  double residual = 1e-2;            // newton: largest residual acceleration, m/s^2
+  int iterations = 10;               // pd
   double time_step = 0.0025;         // s
   int steps_per_pose = 4;            // time steps per interpolation step
   int steps = 0;                     // time steps of a scene without a body

@@ -1,5 +1,7 @@
 #include "collision/contacts.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "solver/linear/parallel.h"
@@ -9,12 +11,13 @@ namespace ease {
 namespace {
 
 constexpr int kGrain = 2048;
-constexpr double kReach = 2e-3;           // m beyond the offset: planes that a correction of the step may yet meet
+constexpr double kOrderCell = 0.01;       // m
+constexpr double kReach = 1e-3;           // m beyond the offset: planes that a correction of the step may yet meet
 constexpr double kGive = 0.4;             // of the room there is: how far the cloth may easily sink in
 constexpr double kLeastGive = 2e-4;       // m
 constexpr double kExactBelow = 2e-3;      // m
 constexpr double kFarthest = 0.1;         // m: nothing of the cloth is deeper in the body
-constexpr double kStill = 1e-5;           // m: motion of the body too small to be worth a second look
+constexpr double kStill = 1e-4;           // m: an error in the motion of the body too small for a second look
 constexpr double kRidgeTolerance = 2e-4;  // m: error of the level set's interpolation, not to be taken for a ridge
 
 // Motion of the body's triangle from the pose of the level set towards the other, m.
@@ -46,21 +49,50 @@ void sampleCloth(const Positions& x, const Triangles& triangles, const std::vect
   });
 }
 
+// Samples that are near each other in space one after the other, by the Z-order curve (Morton 1966): a level set is
+// then read in order.
+void ContactFinder::orderSamples(std::span<const Vec3> samples) {
+  std::vector<std::pair<std::uint64_t, int>> keys(samples.size());
+  for (size_t s = 0; s < samples.size(); ++s) {
+    std::uint64_t key = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto cell = static_cast<std::uint64_t>(std::clamp(samples[s][axis] / kOrderCell + 512.0, 0.0, 1023.0));
+      for (int bit = 0; bit < 10; ++bit) key |= (cell >> bit & 1) << (3 * bit + axis);
+    }
+    keys[s] = {key, static_cast<int>(s)};
+  }
+  std::sort(keys.begin(), keys.end());
+  order_.resize(samples.size());
+  for (size_t k = 0; k < keys.size(); ++k) order_[k] = keys[k].second;
+  found_.assign(samples.size(), {0.0, Vec3::Zero(), -1});
+}
+
 void ContactFinder::lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near) {
-  found_.resize(samples.size());
-  body.level_set->sample(samples, found_);
+  if (found_.size() != samples.size()) orderSamples(samples);
+  // Where the surface near a sample came from: by the motion of the triangle that was nearest to it the last time.
+  const int count = static_cast<int>(samples.size());
+  points_.resize(count);
+  carried_.resize(count);
+  carried_from_.resize(count);
+  parallelFor(count, kGrain, [&](int k) {
+    points_[k] = carried_[k] = samples[order_[k]];
+    carried_from_[k] = found_[k].triangle;
+    if (body.tau > 0.0 && found_[k].triangle >= 0) carried_[k] -= body.tau * motionOf(body, found_[k].triangle);
+  });
+  body.level_set->sample(carried_, found_);
   if (body.tau == 0.0) return;
 
-  // The body has moved on: look again at where the surface near a sample came from.
+  // Again where that is not how the surface near it moves.
   chosen_.clear();
   chosen_points_.clear();
   for (int s = 0; s < static_cast<int>(samples.size()); ++s) {
-    if (found_[s].triangle < 0) continue;
-    const Vec3 motion = body.tau * motionOf(body, found_[s].triangle);
-    const double moved = motion.norm();
-    if (moved < kStill || found_[s].phi > near + moved) continue;
+    const int triangle = found_[s].triangle;
+    if (triangle < 0 || triangle == carried_from_[s]) continue;
+    const Vec3 point = points_[s] - body.tau * motionOf(body, triangle);
+    const double off = (point - carried_[s]).norm();
+    if (off < kStill || found_[s].phi > near + off) continue;
     chosen_.push_back(s);
-    chosen_points_.push_back(samples[s] - motion);
+    chosen_points_.push_back(point);
   }
   ahead_.resize(chosen_.size());
   body.level_set->sample(chosen_points_, ahead_);
@@ -70,17 +102,19 @@ void ContactFinder::lookUp(const BodyMoment& body, std::span<const Vec3> samples
 void ContactFinder::distances(const BodyMoment& body, std::span<const Vec3> samples, std::vector<double>& distances) {
   lookUp(body, samples, std::numeric_limits<double>::infinity());
   distances.resize(samples.size());
-  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
-    distances[s] = found_[s].phi;
-    if (found_[s].triangle < 0 || found_[s].phi > kExactBelow) return;
-    distances[s] = body.tree->signedDistance(samples[s] - body.tau * motionOf(body, found_[s].triangle), kFarthest);
+  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int k) {
+    const LevelSetSample& found = found_[k];
+    double& distance = distances[order_[k]];
+    distance = found.phi;
+    if (found.triangle < 0 || found.phi > kExactBelow) return;
+    distance = body.tree->signedDistance(points_[k] - body.tau * motionOf(body, found.triangle), kFarthest);
   });
 }
 
 void ContactFinder::distancesSinceFind(std::span<const Vec3> samples, std::vector<double>& distances) const {
   distances.resize(samples.size());
-  for (size_t s = 0; s < samples.size(); ++s)
-    distances[s] = found_[s].phi + found_[s].normal.dot(samples[s] - found_at_[s]);
+  for (size_t k = 0; k < samples.size(); ++k)
+    distances[order_[k]] = found_[k].phi + found_[k].normal.dot(samples[order_[k]] - points_[k]);
 }
 
 void Penetration::deepen(const std::vector<double>& sample_distances, int vertex_count, int edge_count) {
@@ -93,17 +127,17 @@ void Penetration::deepen(const std::vector<double>& sample_distances, int vertex
 void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, double offset, double most_recovery,
                          std::vector<ContactPlane>& planes) {
   lookUp(body, samples, offset + kReach);
-  found_at_.assign(samples.begin(), samples.end());
   planes.resize(samples.size());
-  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
-    const LevelSetSample& here = found_[s];
-    planes[s] = {};
+  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int k) {
+    const LevelSetSample& here = found_[k];
+    ContactPlane& plane = planes[order_[k]];
+    plane = {};
     if (here.triangle < 0 || here.phi > offset + kReach) return;
-    planes[s].normal = here.normal;
-    planes[s].offset = here.normal.dot(samples[s]) + offset - here.phi;
-    planes[s].give = std::max(kLeastGive, kGive * offset);
+    plane.normal = here.normal;
+    plane.offset = here.normal.dot(points_[k]) + offset - here.phi;
+    plane.give = std::max(kLeastGive, kGive * offset);
   });
-  makeRoom(body, samples, offset, planes);
+  makeRoom(body, offset, planes);
   // No plane asks for more in one step than this: cloth that got too deep is moved out, not shot out.
   for (size_t s = 0; s < samples.size(); ++s) {
     const double excess = planes[s].depth(samples[s]) - most_recovery;
@@ -113,32 +147,32 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
   }
 }
 
-void ContactFinder::makeRoom(const BodyMoment& body, std::span<const Vec3> samples, double offset,
-                             std::vector<ContactPlane>& planes) {
+void ContactFinder::makeRoom(const BodyMoment& body, double offset, std::vector<ContactPlane>& planes) {
   // Samples that must move out by d = offset - phi: would they get there, or meet another part of the body?
   chosen_.clear();
   chosen_points_.clear();
-  for (int s = 0; s < static_cast<int>(samples.size()); ++s) {
-    const LevelSetSample& here = found_[s];
+  for (int k = 0; k < static_cast<int>(found_.size()); ++k) {
+    const LevelSetSample& here = found_[k];
     if (here.triangle < 0 || here.phi > offset - kRidgeTolerance) continue;
-    chosen_.push_back(s);
-    chosen_points_.push_back(samples[s] - body.tau * motionOf(body, here.triangle) + (offset - here.phi) * here.normal);
+    chosen_.push_back(k);
+    chosen_points_.push_back(points_[k] - body.tau * motionOf(body, here.triangle) + (offset - here.phi) * here.normal);
   }
   ahead_.resize(chosen_.size());
   body.level_set->sample(chosen_points_, ahead_);
-  for (size_t k = 0; k < chosen_.size(); ++k) {
-    const LevelSetSample &here = found_[chosen_[k]], &there = ahead_[k];
+  for (size_t c = 0; c < chosen_.size(); ++c) {
+    const LevelSetSample &here = found_[chosen_[c]], &there = ahead_[c];
     const double d = offset - here.phi;
     if (there.phi > offset - kRidgeTolerance - 0.1 * d) continue;
-    // Along the normal the distance to this part grows by 1, that to the other one by c <= 0: where do they meet?  Not
-    // before the surface, which is -phi away.  Near the middle itself the normal may point along it, c > 0: with
-    // c = 0 the way is what distance there is to gain.
-    const double c = std::min(0.0, there.normal.dot(here.normal));
-    const double middle = (there.phi - d * c - here.phi) / (1.0 - c);
+    // Along the normal the distance to this part grows by 1, that to the other one by `other` <= 0: where do they meet?
+    // Not before the surface, which is -phi away.  Near the middle itself the normal may point along it, other > 0:
+    // with 0 the way is what distance there is to gain.
+    const double other = std::min(0.0, there.normal.dot(here.normal));
+    const double middle = (there.phi - d * other - here.phi) / (1.0 - other);
     const double way = std::clamp(middle, std::max(0.0, -here.phi), d);
-    planes[chosen_[k]].offset += way - d;
-    planes[chosen_[k]].give = std::max(kLeastGive, kGive * (here.phi + way));
-    planes[chosen_[k]].held = true;
+    ContactPlane& plane = planes[order_[chosen_[c]]];
+    plane.offset += way - d;
+    plane.give = std::max(kLeastGive, kGive * (here.phi + way));
+    plane.held = true;
     ++rescues_.held;
   }
 }

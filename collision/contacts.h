@@ -64,13 +64,16 @@ class ContactFinder {
  private:
   /// Fills found_; samples further than `near` (m) from the body need not be right.
   void lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near);
-  void makeRoom(const BodyMoment& body, std::span<const Vec3> samples, double offset,
-                std::vector<ContactPlane>& planes);
+  void orderSamples(std::span<const Vec3> samples);
+  void makeRoom(const BodyMoment& body, double offset, std::vector<ContactPlane>& planes);
 
+  // Indexed by place in the order, not by sample.
+  std::vector<int> order_;  // sample that comes k-th
   std::vector<LevelSetSample> found_, ahead_;
-  std::vector<Vec3> found_at_;
+  std::vector<Vec3> points_, carried_;
+  std::vector<int> carried_from_;  // triangle whose motion carried the sample
   ContactRescues rescues_;
-  std::vector<int> chosen_;  // samples looked up a second time
+  std::vector<int> chosen_;  // looked up a second time
   std::vector<Vec3> chosen_points_;
 };
 

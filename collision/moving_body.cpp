@@ -19,8 +19,9 @@ constexpr double kMarginVoxels = 0.4;  // how far samples stray from where a lev
 MovingBody::MovingBody(const Triangles& triangles, const std::vector<Positions>& poses, int steps,
                        const LevelSetOptions& options)
     : triangles_(triangles), steps_(steps), margin_(kMarginVoxels * options.voxel), first_(poses.front()) {
+  std::vector<int> ordering;
   for (size_t p = 0; p + 1 < poses.size(); ++p) {
-    const std::vector<int> ordering = p > 0 ? interpolations_.front().ordering() : std::vector<int>();
+    if (p == 0) ordering = systemOrdering(static_cast<int>(first_.rows()), triangles);
     interpolations_.emplace_back(triangles, poses[p], poses[p + 1], ordering);
   }
   for (int i = 0; i < 2; ++i) prepared_.push_back({TriangleTree(first_, triangles_), LevelSet(options)});

@@ -15,10 +15,9 @@ namespace ease {
 
 class PoseInterpolation {
  public:
-  /// Factors.  `ordering`: that of an earlier pair of poses of the same body, or empty.  Throws ComputationError.
+  /// Factors.  `ordering`: of the body's systems, or empty.  Throws ComputationError.
   PoseInterpolation(const Triangles& triangles, const Positions& from, const Positions& to,
                     std::span<const int> ordering = {});
-  std::vector<int> ordering() const { return system_.ordering(); }
 
   /// The body at s in [0, 1], m.
   void at(double s, Positions& x);

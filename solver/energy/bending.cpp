@@ -1,26 +1,23 @@
 #include "solver/energy/bending.h"
 
-#include <algorithm>
-
 namespace ease {
 
-double bendingEnergy(const Vec3& b, const HingeSpring& spring) {
-  const double rate = b.norm() - spring.start;
-  return 0.5 * spring.w * b.squaredNorm() + 0.5 * spring.damping_over_h * rate * rate;
+double hingeDamping(const Vec3& b, const HingeDamper& damper) {
+  const double rate = b.norm() - damper.start;
+  return 0.5 * damper.damping_over_h * rate * rate;
 }
 
-Vec3 bendingGradient(const Vec3& b, const HingeSpring& spring) {
+Vec3 hingeDampingGradient(const Vec3& b, const HingeDamper& damper) {
   const double length = b.norm();
-  const double rate = length > 0.0 ? 1.0 - spring.start / length : 0.0;
-  return (spring.w + spring.damping_over_h * rate) * b;
+  return length > 0.0 ? Vec3(damper.damping_over_h * (1.0 - damper.start / length) * b) : Vec3::Zero();
 }
 
-Mat3 bendingHessian(const Vec3& b, const HingeSpring& spring) {
+Mat3 hingeDampingHessian(const Vec3& b, const HingeDamper& damper, Curvature kind) {
   const double length = b.norm();
-  if (length == 0.0) return spring.w * Mat3::Identity();
-  const double across = spring.damping_over_h * std::max(0.0, 1.0 - spring.start / length);
+  if (length == 0.0) return Mat3::Zero();
+  const double across = damper.damping_over_h * curvature(1.0 - damper.start / length, kind);
   const Vec3 along = b / length;
-  return (spring.w + across) * Mat3::Identity() + (spring.damping_over_h - across) * along * along.transpose();
+  return across * Mat3::Identity() + (damper.damping_over_h - across) * along * along.transpose();
 }
 
 }  // namespace ease

@@ -13,13 +13,24 @@
 
 namespace ease {
 
-struct ContactSpring {
-  double k;
-  double l;
-};
+/// J/m^2.  Real: double, or eight side by side.
+template <class Real>
+Real contactEnergy(const Real& depth, double k, const Real& l) {
+  const Real r = depth / l;
+  return 0.5 * k * depth * depth * (1.0 + r * r);
+}
 
-double contactEnergy(double depth, const ContactSpring& spring);     // J/m^2
-double contactPressure(double depth, const ContactSpring& spring);   // Pa: d psi / d depth
-double contactStiffness(double depth, const ContactSpring& spring);  // N/m^3: second derivative, positive
+/// Pa: d psi / d depth
+template <class Real>
+Real contactPressure(const Real& depth, double k, const Real& l) {
+  const Real r = depth / l;
+  return k * depth * (1.0 + 2.0 * r * r);
+}
+
+/// N/m^3: second derivative, positive
+inline double contactStiffness(double depth, double k, double l) {
+  const double r = depth / l;
+  return k * (1.0 + 6.0 * r * r);
+}
 
 }  // namespace ease

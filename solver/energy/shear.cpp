@@ -1,13 +1,12 @@
 #include "solver/energy/shear.h"
 
-#include <algorithm>
-#include <cmath>
+#include <Eigen/Eigenvalues>
 
 namespace ease {
 
 namespace {
 
-// The bias directions, their lengths, and unit vectors along them (zero where the length is).
+// The bias directions' lengths, and unit vectors along them (zero where the length is).
 struct Bias {
   double plus_length, minus_length;
   Vec3 plus, minus;
@@ -23,31 +22,17 @@ struct Bias {
 
 }  // namespace
 
-double shearCondition(const Mat32& F) {
+double orthogonalShear(const Mat32& F) {
   return Bias(F).condition();
 }
 
-double shearEnergy(const Mat32& F, const Spring& spring) {
-  const double excess = shearCondition(F) - spring.c;
-  return 0.5 * spring.k * excess * excess;
-}
-
-Mat32 shearGradient(const Mat32& F, const Spring& spring) {
-  const Bias bias(F);
-  const double tension = spring.k * (bias.condition() - spring.c) * M_SQRT1_2;
-  Mat32 gradient;
-  gradient.col(0) = tension * (bias.plus - bias.minus);
-  gradient.col(1) = tension * (bias.plus + bias.minus);
-  return gradient;
-}
-
-FrameHessian shearHessian(const Mat32& F, const Spring& spring) {
+FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, Curvature kind) {
   // In (d+, d-) the eigenvectors are (plus, -minus) along the bias and whatever is across plus or minus: one of the
-  // two across terms is negative, and goes.
+  // two across terms is negative.
   const Bias bias(F);
   const double excess = bias.condition() - spring.c;
-  const double across_plus = bias.plus_length > 0.0 ? std::max(0.0, excess) / bias.plus_length : 0.0;
-  const double across_minus = bias.minus_length > 0.0 ? std::max(0.0, -excess) / bias.minus_length : 0.0;
+  const double across_plus = bias.plus_length > 0.0 ? curvature(excess / bias.plus_length, kind) : 0.0;
+  const double across_minus = bias.minus_length > 0.0 ? curvature(-excess / bias.minus_length, kind) : 0.0;
   const Mat3 pp = bias.plus * bias.plus.transpose();
   const Mat3 mm = bias.minus * bias.minus.transpose();
   const Mat3 pm = bias.plus * bias.minus.transpose();
@@ -60,6 +45,22 @@ FrameHessian shearHessian(const Mat32& F, const Spring& spring) {
   hessian.uv = half * (plus_plus - minus_minus + pm - pm.transpose());
   hessian.vv = half * (plus_plus + minus_minus + pm + pm.transpose());
   return hessian;
+}
+
+FrameHessian bw98ShearHessian(const Mat32& F, const Spring& spring, Curvature kind) {
+  // k [q qᵀ + (C - c) (0 I; I 0)] with q = (f_v, f_u).
+  using Mat6 = Eigen::Matrix<double, 6, 6>;
+  Eigen::Matrix<double, 6, 1> q;
+  q << F.col(1), F.col(0);
+  Mat6 H = spring.k * q * q.transpose();
+  const double excess = spring.k * (bw98Shear(F) - spring.c);
+  H.topRightCorner<3, 3>().diagonal().array() += excess;
+  H.bottomLeftCorner<3, 3>().diagonal().array() += excess;
+  if (kind == Curvature::projected) {
+    const Eigen::SelfAdjointEigenSolver<Mat6> eigen(H);
+    H = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
+  }
+  return {H.topLeftCorner<3, 3>(), H.topRightCorner<3, 3>(), H.bottomRightCorner<3, 3>()};
 }
 
 }  // namespace ease

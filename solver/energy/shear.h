@@ -1,12 +1,15 @@
-// Shear of a triangle: the difference of its two bias stretches.
+// Shear of a triangle, in one of two forms.
 //
 //   F = [f_u f_v]              3x2 deformation gradient
 //   d+- = (f_u +- f_v)/sqrt 2  bias directions
-//   C = |d+| - |d-|            zero exactly where f_u is orthogonal to f_v; f_u . f_v to second order near F's rest
-//   psi = k/2 (C - c)^2        k in N/m; c as in stretch.h
 //
-// For c = 0 this is k times the squared distance of F to the nearest pair of orthogonal columns, so that a projective
-// method reproduces it exactly.
+//   orthogonal   C = |d+| - |d-|   the difference of the two bias stretches
+//   bw98         C = f_u . f_v     Baraff and Witkin 1998, per area
+//   psi = k/2 (C - c)^2            k in N/m; c as in stretch.h
+//
+// Both are zero exactly where f_u is orthogonal to f_v, and agree to second order near F's rest.  With c = 0 the first
+// is k times the squared distance of F to the nearest pair of orthogonal columns, so that projective dynamics
+// reproduces it exactly, at weight 2k.
 #pragma once
 
 #include "solver/energy/stretch.h"
@@ -14,20 +17,49 @@
 namespace ease {
 
 /// C, dimensionless.
-double shearCondition(const Mat32& F);
+double orthogonalShear(const Mat32& F);
+inline double bw98Shear(const Mat32& F) {
+  return F.col(0).dot(F.col(1));
+}
 
-/// psi, N/m.
-double shearEnergy(const Mat32& F, const Spring& spring);
+/// psi, N/m; adds d psi / d F, N/m, to `stress`.
+template <class Real>
+Real addOrthogonalShear(const Deformation<Real>& F, double k, const Real& c, Deformation<Real>& stress) {
+  const Column<Real> plus{F.u.x + F.v.x, F.u.y + F.v.y, F.u.z + F.v.z};
+  const Column<Real> minus{F.u.x - F.v.x, F.u.y - F.v.y, F.u.z - F.v.z};
+  const Real plus_length = length(plus), minus_length = length(minus);
+  const Real excess = M_SQRT1_2 * (plus_length - minus_length) - c;
+  const Real along_plus = M_SQRT1_2 * k * excess / larger(plus_length, 1e-150);
+  const Real along_minus = -M_SQRT1_2 * k * excess / larger(minus_length, 1e-150);
+  addScaled(stress.u, along_plus, plus);
+  addScaled(stress.u, along_minus, minus);
+  addScaled(stress.v, along_plus, plus);
+  addScaled(stress.v, Real(-along_minus), minus);
+  return 0.5 * k * excess * excess;
+}
 
-/// d psi / d F, 3x2, N/m.
-Mat32 shearGradient(const Mat32& F, const Spring& spring);
+template <class Real>
+Real addBw98Shear(const Deformation<Real>& F, double k, const Real& c, Deformation<Real>& stress) {
+  const Real excess = dot(F.u, F.v) - c;
+  addScaled(stress.u, Real(k * excess), F.v);
+  addScaled(stress.v, Real(k * excess), F.u);
+  return 0.5 * k * excess * excess;
+}
 
 /// Blocks of the second derivative by (f_u, f_v), each 3x3, N/m: uu, uv (row f_u, column f_v), vv.
 struct FrameHessian {
-  Mat3 uu, uv, vv;
+  Mat3 uu = Mat3::Zero(), uv = Mat3::Zero(), vv = Mat3::Zero();
+
+  /// Adds `weight` times the square of a mode, 3x2.
+  void addMode(double weight, const Mat32& mode) {
+    uu += weight * mode.col(0) * mode.col(0).transpose();
+    uv += weight * mode.col(0) * mode.col(1).transpose();
+    vv += weight * mode.col(1) * mode.col(1).transpose();
+  }
 };
 
-/// Second derivative by F, its negative part set to zero.
-FrameHessian shearHessian(const Mat32& F, const Spring& spring);
+/// Second derivative by F.
+FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, Curvature kind);
+FrameHessian bw98ShearHessian(const Mat32& F, const Spring& spring, Curvature kind);
 
 }  // namespace ease

@@ -5,8 +5,11 @@
 //   c    length at rest; 1, or less than 1 off where damping pulls towards the length at the start of the step
 //
 //   psi = k/2 (|f| - c)^2      Baraff and Witkin 1998, section 4.2
+//
+// Projective dynamics reproduces it exactly: the nearest point with psi = 0 is c f / |f|, at weight k.
 #pragma once
 
+#include "solver/energy/lanes.h"
 #include "solver/mesh/triangle_gradient.h"
 
 namespace ease {
@@ -24,13 +27,17 @@ inline Spring damped(const Spring& spring, double damping_over_h, double conditi
   return {k, k > 0.0 ? (spring.k * spring.c + damping_over_h * condition_at_start) / k : 0.0};
 }
 
-/// psi, N/m.
-double stretchEnergy(const Vec3& f, const Spring& spring);
+/// psi, N/m; adds d psi / d f, N/m, to `stress`: nothing where f is zero.
+template <class Real>
+Real addStretch(const Column<Real>& f, double k, const Real& c, Column<Real>& stress) {
+  const Real now = length(f);
+  const Real excess = now - c;
+  const Real tension = k * excess / larger(now, 1e-150);
+  addScaled(stress, tension, f);
+  return 0.5 * k * excess * excess;
+}
 
-/// d psi / d f, N/m.  Zero where f is.
-Vec3 stretchGradient(const Vec3& f, const Spring& spring);
-
-/// Second derivative by f, N/m, its negative part (compression, across f) set to zero.
-Mat3 stretchHessian(const Vec3& f, const Spring& spring);
+/// Second derivative by f, N/m; its negative part is that across f, where compressed.
+Mat3 stretchHessian(const Vec3& f, const Spring& spring, Curvature kind);
 
 }  // namespace ease

@@ -1,5 +1,7 @@
 #include "solver/linear/gradient_system.h"
 
+#include <algorithm>
+
 #include "solver/linear/parallel.h"
 
 namespace ease {
@@ -19,6 +21,12 @@ SparseMatrix vertexPattern(int vertices, const Triangles& triangles) {
   return lower;
 }
 
+std::vector<int> systemOrdering(int vertices, const Triangles& triangles) {
+  Cholesky cholesky(Cholesky::Kind::kSimplicial);
+  cholesky.analyse(vertexPattern(vertices, triangles));
+  return cholesky.ordering();
+}
+
 GradientSystem::GradientSystem(int vertices, const Triangles& triangles, std::span<const int> ordering)
     : triangles_(triangles),
       incidence_(vertices, {triangles_.data(), static_cast<size_t>(triangles_.size())}),
@@ -26,23 +34,46 @@ GradientSystem::GradientSystem(int vertices, const Triangles& triangles, std::sp
       cholesky_(Cholesky::Kind::kSimplicial),
       right_(vertices, 3) {
   cholesky_.analyse(matrix_, ordering);
+  const auto slot = [&](int i, int j) {
+    const int *begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[j],
+              *end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[j + 1];
+    return static_cast<int>(std::lower_bound(begin, end, i) - matrix_.innerIndexPtr());
+  };
+  slots_.resize(triangles.rows());
+  for (int t = 0; t < triangles.rows(); ++t)
+    for (int p = 0; p < 3; ++p)
+      for (int q = 0; q < 3; ++q) {
+        const int i = triangles(t, p), j = triangles(t, q);
+        slots_[t][3 * p + q] = i >= j ? slot(i, j) : -1;
+      }
+  for (int i = 0; i < vertices; ++i) diagonal_slots_.push_back(slot(i, i));
 }
 
 bool GradientSystem::factor(std::span<const Mat2> rest_inverse, std::span<const double> weights,
-                            std::span<const double> diagonal) {
+                            std::span<const double> diagonal, std::span<const char> fixed) {
   diagonal_.assign(diagonal.begin(), diagonal.end());
   weighted_gradients_.resize(triangles_.rows());
+  double* values = matrix_.valuePtr();
   matrix_.coeffs().setZero();
-  for (size_t i = 0; i < diagonal.size(); ++i) matrix_.coeffRef(i, i) = diagonal[i];
+  for (size_t i = 0; i < diagonal.size(); ++i) values[diagonal_slots_[i]] = diagonal[i];
   for (int t = 0; t < triangles_.rows(); ++t) {
     const Mat32 b = shapeGradients(rest_inverse[t]);
     weighted_gradients_[t] = weights[t] * b;
-    for (int p = 0; p < 3; ++p)
-      for (int q = 0; q < 3; ++q)
-        if (const int i = triangles_(t, p), j = triangles_(t, q); i >= j)
-          matrix_.coeffRef(i, j) += weighted_gradients_[t].row(p).dot(b.row(q));
+    const Mat3 block = weighted_gradients_[t] * b.transpose();
+    for (int k = 0; k < 9; ++k)
+      if (slots_[t][k] >= 0) values[slots_[t][k]] += block(k / 3, k % 3);
   }
+  if (!fixed.empty())
+    for (int j = 0; j < matrix_.cols(); ++j)
+      for (SparseMatrix::InnerIterator it(matrix_, j); it; ++it)
+        if (fixed[j] || fixed[it.row()]) it.valueRef() = it.row() == j ? 1.0 : 0.0;
   return cholesky_.factor(matrix_);
+}
+
+void GradientSystem::solve(const Positions& right, Positions& x) {
+  right_ = right;
+  cholesky_.solve(right_.data(), right_.data(), 3);
+  x = right_;
 }
 
 void GradientSystem::solve(std::span<const Mat32> targets, const Positions& anchors, Positions& x) {

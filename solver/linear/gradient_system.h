@@ -8,10 +8,15 @@
 //   w_t, m_i                          weights, any unit, the same for both
 //
 // The matrix is a weighted cotangent Laplacian plus a diagonal (n x n, symmetric, positive definite if every connected
-// part has some m_i > 0), with three right-hand sides: the stitcher of adapted triangles and the interpolation of poses
-// solve it (Sumner and Popovic 2004; Sorkine and Alexa 2007).
+// part has some m_i > 0), with three right-hand sides.  It serves the global step of projective dynamics (Bouaziz et al.
+// 2014), the stitcher of adapted triangles (Sorkine and Alexa 2007) and the interpolation of poses (Sumner and Popovic
+// 2004).  Weights that differ along warp and weft go into the columns of D^-1.
+//
+// The factor is simplicial: solved with .11 ms sooner than a supernodal one at 4,000 vertices (.11 against .38 ms), .29
+// against .96 at 10,000.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -24,24 +29,32 @@ namespace ease {
 /// Lower triangle, all zero, of the matrix that couples every vertex with itself and its neighbours.
 SparseMatrix vertexPattern(int vertices, const Triangles& triangles);
 
+/// Ordering of a mesh's vertices that keeps factors sparse: found once, for all systems on the mesh (METIS).
+std::vector<int> systemOrdering(int vertices, const Triangles& triangles);
+
 class GradientSystem {
  public:
-  /// Orders and analyses: once for a mesh's connectivity; systems on the same mesh take the ordering of the first.
+  /// Analyses, once for a mesh's connectivity.  `ordering`: systemOrdering's, or empty: found anew.
   GradientSystem(int vertices, const Triangles& triangles, std::span<const int> ordering = {});
-  std::vector<int> ordering() const { return cholesky_.ordering(); }
 
-  /// Sets the numbers and factors.  False if not positive definite.
+  /// Sets the numbers and factors.  False if not positive definite.  Vertices that are `fixed` (none if empty) are
+  /// taken out: their rows become those of the identity.
   [[nodiscard]] bool factor(std::span<const Mat2> rest_inverse, std::span<const double> weights,
-                            std::span<const double> diagonal);
+                            std::span<const double> diagonal, std::span<const char> fixed = {});
 
   /// Positions for these targets, one a triangle; `anchors` are the y_i.
   void solve(std::span<const Mat32> targets, const Positions& anchors, Positions& x);
+
+  /// x such that A x = right; they may be the same.
+  void solve(const Positions& right, Positions& x);
 
  private:
   Triangles triangles_;
   Incidence incidence_;
   SparseMatrix matrix_;
   Cholesky cholesky_;
+  std::vector<std::array<int, 9>> slots_;  // of triangle t's corners p, q in the matrix's values; -1 above its diagonal
+  std::vector<int> diagonal_slots_;
   std::vector<Mat32> weighted_gradients_;  // w_t B_t
   std::vector<double> diagonal_;
   Eigen::MatrixX3d right_;  // columns, as the factor takes them

@@ -34,6 +34,7 @@ Cloth::Cloth(const TriangleMesh& mesh, const Vec3& grain, const Material& materi
 }
 
 void Cloth::setRest(const Positions& rest_positions, const std::vector<Mat2>& rest_edges) {
+  ++rest_revision_;
   rest_positions_ = rest_positions;
   rest_edges_ = rest_edges;
   rest_inverse_.resize(rest_edges.size());

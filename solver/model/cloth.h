@@ -36,6 +36,7 @@ class Cloth {
   const std::vector<double>& vertexAreas() const { return vertex_areas_; }  // a third of the rest area around, m^2
   const std::vector<double>& masses() const { return masses_; }
   const std::vector<Hinge>& hinges() const { return hinges_; }  // empty without bending
+  int restRevision() const { return rest_revision_; }           // how many rest shapes there have been
 
   /// Deformation gradient of triangle t.
   Mat32 deformation(const Positions& x, int t) const { return edgeMatrix(x, triangles_, t) * rest_inverse_[t]; }
@@ -49,6 +50,7 @@ class Cloth {
   std::vector<Mat2> rest_edges_, rest_inverse_;
   std::vector<double> rest_areas_, vertex_areas_, masses_;
   std::vector<Hinge> hinges_;
+  int rest_revision_ = 0;
 };
 
 }  // namespace ease

@@ -1,12 +1,15 @@
 // Incremental potential of one backward Euler step: its minimiser is the cloth's next position.
 //
-//   E(x) = 1/(2h^2) |x - y|^2_M + sum_t a_t psi(F_t) + sum_hinges bending + sum_samples a_s psi_c(depth),   J
+//   E(x) = 1/(2h^2) |x - y|^2_M + sum_t a_t psi(F_t) + 1/2 xᵀ Q x + sum_samples a_s psi_c(depth) + damping,   J
 //   y    = x_n + h v_n + h^2 g
 //
-//   h    time step, s        g    gravity, m/s^2
+//   h    time step, s        g    gravity, m/s^2        Q    bending (bending_matrix.h)
 //   a_t  rest area of a triangle;  a_s  area that a contact sample stands for, m^2
 //
-// Damping is part of it (stretch.h).  Every minimiser sees the potential through this class alone.
+// Every minimiser sees the potential through this class alone: so do the Newton methods, which want its Hessian, and
+// the projective ones, for which it has the constant matrix that bounds it.
+//
+// Triangles are computed eight side by side (lanes.h), from a structure of arrays laid out once a step.
 #pragma once
 
 #include <span>
@@ -14,11 +17,12 @@
 
 #include "solver/energy/bending.h"
 #include "solver/energy/contact.h"
-#include "solver/energy/shear.h"
+#include "solver/energy/isotropic.h"
 #include "solver/linear/block_matrix.h"
 #include "solver/linear/incidence.h"
 #include "solver/model/cloth.h"
 #include "solver/model/contact.h"
+#include "solver/step/bending_matrix.h"
 #include "solver/step/state.h"
 
 namespace ease {
@@ -36,54 +40,92 @@ class IncrementalPotential {
   /// Fixes what a step starts from: y, and the conditions whose rate is damped.  Forgets contacts.
   void begin(const State& start, const StepOptions& options);
 
-  /// A plane for each sample (contact.h); empty: no contact.  Referred to, not copied.
-  void setContacts(std::span<const ContactPlane> planes) { contacts_ = planes; }
+  /// A plane for each sample (contact.h); empty: no contact.
+  void setContacts(std::span<const ContactPlane> planes);
 
-  /// E, J, up to a constant of the step.
-  double value(const Positions& x) const;
+  /// Gradient dE/dx, n x 3, N; returns E, J, up to a constant of the step.
+  double gradient(const Positions& x, Positions& gradient);
 
-  /// dE/dx, n x 3, N.
-  void gradient(const Positions& x, Positions& gradient);
-
-  /// Second derivative without the negative parts of its elements, N/m; bending apart, since it reaches to the second
-  /// ring: see multiplyBending.
-  void hessian(const Positions& x, BlockMatrix& hessian);
-
-  /// Prepares the bending part of the Hessian at x, then adds it times `d` to `product`.  Nothing without hinges.
-  void prepareBending(const Positions& x);
+  /// Second derivative, its elements' negative parts kept or not, N/m; bending apart, since it reaches to the second
+  /// ring: addBending adds its product with d.
+  void hessian(const Positions& x, Curvature kind, BlockMatrix& hessian);
   void addBending(const Positions& d, Positions& product);
-  bool bends() const { return !cloth_.hinges().empty(); }
+
+  /// Weights per rest area of the constant matrix that projective dynamics has for the membrane, along warp and weft,
+  /// N/m: exact for terms that are distances to a set, a bound near rest for the others.
+  Eigen::Vector2d projectiveWeights() const;
+
+  /// Stiffness of contact at x, on each vertex, as if it held in every direction, N/m: its row sums.
+  void contactDiagonal(const Positions& x, std::vector<double>& diagonal);
 
   /// Contact force on each vertex over its area, Pa, at x: from its own sample and its share of those around.
   void contactPressure(const Positions& x, std::vector<double>& pressure);
+
+  /// Twice the kinetic energy of moving from x_n to x within the step, J.
+  double motion(const Positions& x) const;
+  double totalMass() const;  // kg
+
+  const Cloth& cloth() const { return cloth_; }
+  const StepOptions& options() const { return options_; }
 
  private:
   struct TriangleSprings {
     Spring warp, weft, shear;
   };
+  struct TriangleLanes {
+    int corners[3][kLanes];
+    Lanes inverse[4];         // D^-1, row by row, 1/m
+    Lanes area;               // m^2; 0 beyond the last triangle
+    Lanes warp, weft, shear;  // conditions at rest, damping included
+  };
+  struct ContactLanes {
+    int sample[kLanes];  // -1 beyond the last
+    int corners[3][kLanes];
+    Lanes weights[3];  // of the corners in the sample: 1; 1/2, 1/2; 1/3, 1/3, 1/3
+    Lanes normal[3];
+    Lanes offset, give;  // m
+    Lanes least;         // depth, m: 0, or far below for a plane that holds
+    Lanes area;          // m^2
+    Lanes depth(const Positions& x) const;
+  };
+
+  bool woven() const { return cloth_.material().membrane == Membrane::woven; }
+  double shearCondition(const Mat32& F) const {
+    return cloth_.material().shear_form == ShearForm::bw98 ? bw98Shear(F) : orthogonalShear(F);
+  }
   TriangleSprings springs(int t) const;
-  HingeSpring hingeSpring(int e) const;
+  HingeDamper hingeDamper(int e) const;
+  void layOutTriangles();
+  double membraneForces(const Positions& x);
+  double hingeDampingForces(const Positions& x);
+  double contactForces(const Positions& x);
+  template <class Add>
+  void forPressed(const Positions& x, const Add& add) const;
   double contactArea(int sample) const;
-  ContactSpring contactSpring(int sample) const { return {options_.contact_stiffness, contacts_[sample].give}; }
-  Vec3 contactPoint(const Positions& x, int sample) const;
-  void contactForces(const Positions& x);
   Vec3 gatherContact(int vertex) const;
 
   const Cloth& cloth_;
+  int rest_revision_ = -1;  // of the cloth's, that the bending matrix has
   StepOptions options_;
-  Positions inertial_;                             // y
-  std::vector<Eigen::Vector3d> start_conditions_;  // |f_u|, |f_v|, shear at the start, where damped
-  std::vector<double> start_bending_;              // |b| at the start, where damped
-  std::span<const ContactPlane> contacts_;
+  Positions start_;                                     // x_n
+  Positions inertial_;                                  // y
+  double damping_stretch_ = 0.0, damping_shear_ = 0.0;  // over h, N/m
+  std::vector<Eigen::Vector3d> start_conditions_;       // |f_u|, |f_v|, shear at the start, where damped
+  std::vector<double> start_bending_;                   // |b| at the start, where damped
+  std::vector<ContactLanes> touching_;                 // samples that have a plane
 
+  BendingMatrix bending_;
   Incidence triangle_corners_, edge_ends_, hinge_corners_;
   // Per element, between the loop over elements and the gathering loop over vertices.
-  std::vector<Mat32> stress_;              // a_t dpsi/dF, N m
-  std::vector<Vec3> contact_force_;        // -a_s p n, N: its negative pushes the cloth out
+  std::vector<TriangleLanes> lanes_;
+  std::vector<Vec3> corner_force_;   // of triangle t, corner a: corner_force_[3 t + a]; dE/dx, N
+  std::vector<Vec3> contact_force_;  // -a_s p n, N: its negative pushes the cloth out
+  std::vector<Vec3> contact_normal_;
   std::vector<double> contact_stiffness_;  // a_s dp/d depth, N/m
   std::vector<FrameHessian> frame_hessian_;
   std::vector<Mat3> hinge_hessian_;
   std::vector<Vec3> hinge_force_;
+  std::vector<double> partial_;  // energies, summed in their order
 };
 
 }  // namespace ease

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "solver/linear/parallel.h"
+#include "solver/linear/dot.h"
 
 namespace ease {
 
@@ -11,26 +11,13 @@ namespace {
 constexpr double kFactorCost = 35.0;  // iterations that take about as long as a factor
 constexpr int kMostIterations = 80;   // with one factor; then a new one
 
-double dot(const Positions& a, const Positions& b) {
-  return parallelSum(static_cast<int>(a.rows()), [&](int i) { return a.row(i).dot(b.row(i)); });
-}
-
 }  // namespace
 
-NewtonSystem::NewtonSystem(const BlockMatrix& pattern) : cholesky_(Cholesky::Kind::kSupernodal) {
-  // Order the n x n pattern once and lift it: the same fill as ordering the 3n x 3n one, in a fraction of the time.
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < pattern.rows(); ++i)
-    for (int k = pattern.rowBegin(i); k < pattern.rowEnd(i); ++k)
-      if (pattern.column(k) <= i) entries.emplace_back(i, pattern.column(k), 1.0);
-  SparseMatrix lower(pattern.rows(), pattern.rows());
-  lower.setFromTriplets(entries.begin(), entries.end());
-  Cholesky vertices(Cholesky::Kind::kSimplicial);
-  vertices.analyse(lower);
-
+NewtonSystem::NewtonSystem(const BlockMatrix& pattern, std::span<const int> ordering)
+    : cholesky_(Cholesky::Kind::kSupernodal) {
   const std::vector<char> fixed(pattern.rows(), 0);
   pattern.toScalar(fixed, scalar_);
-  cholesky_.analyse(scalar_, liftOrdering(vertices.ordering()));
+  cholesky_.analyse(scalar_, liftOrdering(ordering));
   r_.resize(pattern.rows(), 3);
   z_ = p_ = product_ = r_;
 }

@@ -1,0 +1,34 @@
+#include "solver/energy/isotropic.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+namespace ease {
+
+FrameHessian isotropicHessian(const Mat32& F, double mu, double lambda, Curvature kind) {
+  Eigen::SelfAdjointEigenSolver<Mat2> eigen;
+  eigen.computeDirect(F.transpose() * F);
+  const double least = 1e-12;
+  const double s1 = std::sqrt(std::max(least, eigen.eigenvalues()[1]));
+  const double s2 = std::sqrt(std::max(least, eigen.eigenvalues()[0]));
+  const Eigen::RowVector2d v1 = eigen.eigenvectors().col(1).transpose(), v2 = eigen.eigenvectors().col(0).transpose();
+  const Vec3 u1 = (F * v1.transpose()).normalized();
+  Vec3 u2 = F * v2.transpose();
+  u2 -= u1.dot(u2) * u1;
+  u2 = u2.norm() > 1e-9 ? u2.normalized() : u1.unitOrthogonal();
+  const Vec3 n = u1.cross(u2);
+
+  const double p1 = 2.0 * mu * (s1 - 1.0) + lambda * (s1 + s2 - 2.0);
+  const double p2 = 2.0 * mu * (s2 - 1.0) + lambda * (s1 + s2 - 2.0);
+  FrameHessian hessian;
+  const auto add = [&](double eigenvalue, const Mat32& mode) { hessian.addMode(curvature(eigenvalue, kind), mode); };
+  add((p1 + p2) / (s1 + s2), (u2 * v1 - u1 * v2) * M_SQRT1_2);  // turning in the plane
+  add(2.0 * mu, (u2 * v1 + u1 * v2) * M_SQRT1_2);               // shearing: (p1 - p2)/(s1 - s2)
+  add(p1 / s1, n * v1);                                         // turning out of the plane
+  add(p2 / s2, n * v2);
+  add(2.0 * (mu + lambda), (u1 * v1 + u2 * v2) * M_SQRT1_2);  // growing
+  add(2.0 * mu, (u1 * v1 - u2 * v2) * M_SQRT1_2);             // growing here and shrinking there
+  return hessian;
+}
+
+}  // namespace ease

@@ -1,0 +1,52 @@
+#include "solver/step/minimiser.h"
+
+#include <cmath>
+
+#include "solver/linear/dot.h"
+
+namespace ease {
+
+namespace {
+
+constexpr int kMostHalvings = 20;
+constexpr double kSufficient = 1e-4;  // of the decrease that the slope promises
+constexpr double kRoundOff = 1e-12;   // of the potential: a difference that means nothing
+constexpr double kLeastSpeed = 1e-3;  // m/s: cloth that moves less than this is at rest
+
+}  // namespace
+
+void Point::evaluate(IncrementalPotential& potential, const std::vector<char>& fixed) {
+  gradient.resize(x.rows(), 3);
+  energy = potential.gradient(x, gradient);
+  for (int i = 0; i < x.rows(); ++i)
+    if (fixed[i]) gradient.row(i).setZero();
+}
+
+double residualAcceleration(const IncrementalPotential& potential, const Point& point) {
+  double largest = 0.0;
+  for (int i = 0; i < point.gradient.rows(); ++i)
+    largest = std::max(largest, point.gradient.row(i).squaredNorm() / std::pow(potential.cloth().masses()[i], 2));
+  return std::sqrt(largest);
+}
+
+double relativeDecrement(const IncrementalPotential& potential, const Point& point, double slope) {
+  const double least = potential.totalMass() * kLeastSpeed * kLeastSpeed;
+  return std::sqrt(std::max(0.0, -slope) / (potential.motion(point.x) + least));
+}
+
+int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
+                const Positions& direction, Point& next) {
+  const double slope = dot(point.gradient, direction);
+  double scale = 1.0;
+  for (int halvings = 0; halvings <= kMostHalvings; ++halvings, scale *= 0.5) {
+    next.x = point.x + scale * direction;
+    next.evaluate(potential, fixed);
+    const double change = next.energy - point.energy;
+    if (change <= kSufficient * scale * slope) return halvings;
+    const bool lost = std::abs(change) <= kRoundOff * std::abs(point.energy);
+    if (lost && std::abs(dot(next.gradient, direction)) <= 0.9 * std::abs(slope)) return halvings;
+  }
+  return -1;
+}
+
+}  // namespace ease

@@ -1,0 +1,138 @@
+#include "solver/step/projective.h"
+
+#include <cmath>
+
+#include "solver/linear/dot.h"
+#include "solver/mesh/error.h"
+
+namespace ease {
+
+namespace {
+
+constexpr double kDrift = 0.5;               // of contact's stiffness: beyond, A is factored again
+constexpr double kContactPlain = 1.0;        // of contact's stiffness, on A's diagonal: pd
+constexpr double kContactAccelerated = 0.3;  // pd-lbfgs
+
+constexpr double kUnseen =
+    2.0;                    // the error over the decrement that five pairs see (measured: 2.2 on a shirt in motion)
+constexpr int kWindow = 8;  // iterations over which the contraction is measured
+
+// Whether, at the rate of the last iterations, more are left than there is patience for.
+bool isHopeless(const std::vector<double>& decrements, const StopRule& stop) {
+  if (stop.patience == 0 || decrements.size() <= kWindow) return false;
+  const double now = decrements.back(), then = decrements[decrements.size() - 1 - kWindow];
+  const double rate = std::log(then / now) / kWindow;  // e-folds an iteration
+  return std::log(now / stop.error) > rate * stop.patience;
+}
+
+}  // namespace
+
+Projective::Projective(const Cloth& cloth, std::span<const int> ordering)
+    : system_(cloth.vertexCount(), cloth.triangles(), ordering), direction_(cloth.vertexCount(), 3) {}
+
+bool Projective::prepare(IncrementalPotential& potential, const std::vector<char>& fixed, double contact_share,
+                         const Positions& x) {
+  const Cloth& cloth = potential.cloth();
+  const double h = potential.options().h;
+  const Eigen::Vector2d weights = potential.projectiveWeights();
+  potential.contactDiagonal(x, contact_now_);
+  bool same = rest_revision_ == cloth.restRevision() && h_ == h && weights_ == weights && fixed_ == fixed &&
+              contact_share_ == contact_share;
+  if (same) {
+    double drift = 0.0, all = 0.0;
+    for (size_t i = 0; i < contact_.size(); ++i) {
+      drift += std::abs(contact_now_[i] - contact_[i]);
+      all += std::max(contact_now_[i], contact_[i]);
+    }
+    same = drift <= kDrift * all;
+  }
+  if (same) return false;
+
+  rest_revision_ = cloth.restRevision();
+  h_ = h;
+  weights_ = weights;
+  fixed_ = fixed;
+  contact_share_ = contact_share;
+  contact_ = contact_now_;
+  diagonal_.resize(cloth.vertexCount());
+  for (int i = 0; i < cloth.vertexCount(); ++i)
+    diagonal_[i] = cloth.masses()[i] / (h * h) + contact_share * contact_[i];
+  scaled_inverse_.resize(cloth.triangleCount());
+  for (int t = 0; t < cloth.triangleCount(); ++t)
+    scaled_inverse_[t] = cloth.restInverse()[t] * weights.cwiseSqrt().asDiagonal();
+  if (!system_.factor(scaled_inverse_, cloth.restAreas(), diagonal_, fixed))
+    throw ComputationError("the projective system is not positive definite");
+  return true;
+}
+
+// Two loops of Nocedal (1980).  Returns the slope, gradient . direction.
+double Projective::direct(const Positions& gradient, bool accelerated) {
+  direction_ = -gradient;
+  const auto pair = [&](int k) -> const Pair& { return pairs_[(newest_ - k + kPairs) % kPairs]; };  // k-th newest
+  const int count = accelerated ? pair_count_ : 0;
+  for (int k = 0; k < count; ++k) {
+    alpha_[k] = pair(k).inverse * dot(pair(k).s, direction_);
+    direction_ -= alpha_[k] * pair(k).y;
+  }
+  system_.solve(direction_, direction_);
+  for (int k = count - 1; k >= 0; --k) {
+    const double beta = pair(k).inverse * dot(pair(k).y, direction_);
+    direction_ += (alpha_[k] - beta) * pair(k).s;
+  }
+  return dot(gradient, direction_);
+}
+
+void Projective::remember(const Point& from, const Point& to) {
+  const int next = (newest_ + 1) % kPairs;
+  Pair& pair = pairs_[next];
+  pair.s = to.x - from.x;
+  pair.y = to.gradient - from.gradient;
+  const double curvature = dot(pair.s, pair.y);
+  if (!(curvature > 1e-10 * std::sqrt(dot(pair.s, pair.s) * dot(pair.y, pair.y)))) return;
+  pair.inverse = 1.0 / curvature;
+  newest_ = next;
+  pair_count_ = std::min(kPairs, pair_count_ + 1);
+}
+
+MinimiserSummary Projective::minimise(IncrementalPotential& potential, const std::vector<char>& fixed,
+                                      const StopRule& stop, bool accelerated, Point& point) {
+  MinimiserSummary summary;
+  decrements_.clear();
+  if (prepare(potential, fixed, accelerated ? kContactAccelerated : kContactPlain, point.x)) {
+    ++summary.factorisations;
+  }
+  for (; summary.iterations < stop.most_iterations; ++summary.iterations) {
+    if (stop.acceleration > 0.0 && residualAcceleration(potential, point) <= stop.acceleration) {
+      summary.converged = true;
+      break;
+    }
+    double slope = direct(point.gradient, accelerated);
+    if (!(slope < 0.0)) {
+      pair_count_ = 0;
+      slope = direct(point.gradient, false);
+      if (!(slope < 0.0)) break;
+    }
+    if (stop.error > 0.0) {
+      decrements_.push_back(kUnseen * relativeDecrement(potential, point, slope));
+      summary.converged = decrements_.back() <= stop.error;
+      if (summary.converged || isHopeless(decrements_, stop)) break;
+    }
+    if (!accelerated) {
+      point.x += direction_;
+      point.evaluate(potential, fixed);
+      continue;
+    }
+    const int halvings = searchAlong(potential, fixed, point, direction_, next_);
+    if (halvings < 0) {
+      if (pair_count_ == 0) break;
+      pair_count_ = 0;  // what was remembered misleads
+      continue;
+    }
+    summary.halvings += halvings;
+    remember(point, next_);
+    std::swap(point, next_);
+  }
+  return summary;
+}
+
+}  // namespace ease

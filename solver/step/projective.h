@@ -1,0 +1,61 @@
+// Projective dynamics: alternating local projections and one constant linear system (Bouaziz et al. 2014), and the same
+// system as the initial inverse Hessian of L-BFGS (Liu et al. 2017).
+//
+//   local    p_t      nearest point of each term's set to F_t, in closed form
+//   global   A x = M y / h^2 + sum_t a_t B_t p_t W,     A = M/h^2 + sum_t a_t B_t W B_tᵀ
+//
+// Since k (F - p) is a term's stress, one such iteration is the correction x - A^-1 dE/dx.  That is how it is computed:
+// from the gradient, which all terms have, whether A knows them or not.  For terms that are distances to a set A is the
+// exact bound and each iteration lowers E.  `pd` takes the correction as it is; `pd-lbfgs` bends it by the curvature
+// that the last iterations met, and searches along it.
+//
+// A is factored once and again when the rest shape, the time step, damping or the pins change, and when the stiffness
+// of contact has drifted away from what A has on its diagonal (pd diverges without any).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solver/linear/gradient_system.h"
+#include "solver/step/minimiser.h"
+
+namespace ease {
+
+class Projective {
+ public:
+  /// `ordering`: of the mesh's systems (gradient_system.h).
+  Projective(const Cloth& cloth, std::span<const int> ordering);
+
+  /// One iteration after another from point.x on, the point evaluated; leaves it evaluated.
+  MinimiserSummary minimise(IncrementalPotential& potential, const std::vector<char>& fixed, const StopRule& stop,
+                            bool accelerated, Point& point);
+
+ private:
+  struct Pair {
+    Positions s, y;  // change of position, change of gradient
+    double inverse;  // 1 / (s . y)
+  };
+  bool prepare(IncrementalPotential& potential, const std::vector<char>& fixed, double contact, const Positions& x);
+  double direct(const Positions& gradient, bool accelerated);
+  void remember(const Point& from, const Point& to);
+
+  GradientSystem system_;
+  // What the factor was made of.
+  int rest_revision_ = -1;
+  double h_ = 0.0, contact_share_ = 0.0;
+  Eigen::Vector2d weights_ = Eigen::Vector2d::Zero();
+  std::vector<char> fixed_;
+  std::vector<double> contact_;  // N/m, on A's diagonal
+
+  std::vector<double> contact_now_, diagonal_;
+  std::vector<Mat2> scaled_inverse_;
+  static constexpr int kPairs = 5;
+  std::array<Pair, kPairs> pairs_;
+  int pair_count_ = 0, newest_ = -1;
+  std::array<double, kPairs> alpha_;
+  Positions direction_;
+  Point next_;
+  std::vector<double> decrements_;  // of this minimise(), relative
+};
+
+}  // namespace ease

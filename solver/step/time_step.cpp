@@ -1,0 +1,118 @@
+#include "solver/step/time_step.h"
+
+#include <algorithm>
+#include <map>
+
+namespace ease {
+
+namespace {
+
+constexpr int kMostNewton = 100;  // iterations of a step
+constexpr int kMostProjective = 1000;
+constexpr int kPatience = 60;     // iterations of pd-lbfgs that cost as much as one of Newton's
+constexpr int kNewtonSteps = 10;  // after a hand-over, without trying pd-lbfgs
+constexpr int kMostContactRounds = 4;
+constexpr double kStale = 4e-3;  // m: a vertex that moved this far since contacts were found
+
+}  // namespace
+
+Method methodNamed(const std::string& name) {
+  static const std::map<std::string, Method> methods = {{"bw1", Method::bw1},
+                                                        {"newton", Method::newton},
+                                                        {"pd", Method::pd},
+                                                        {"pd-lbfgs", Method::pd_lbfgs},
+                                                        {"auto", Method::automatic}};
+  return methods.at(name);
+}
+
+TimeStep::TimeStep(const Cloth& cloth, const MethodOptions& options, std::span<const int> ordering)
+    : options_(options), potential_(cloth), fixed_(cloth.vertexCount(), 0) {
+  const Method method = options.method;
+  if (method == Method::bw1 || method == Method::newton || method == Method::automatic)
+    newton_.emplace(cloth, ordering);
+  if (method == Method::pd || method == Method::pd_lbfgs || method == Method::automatic)
+    projective_.emplace(cloth, ordering);
+}
+
+void TimeStep::holdPins(const Pins& pins, Positions& x) {
+  std::fill(fixed_.begin(), fixed_.end(), 0);
+  for (size_t k = 0; k < pins.vertices.size(); ++k) {
+    fixed_[pins.vertices[k]] = 1;
+    x.row(pins.vertices[k]) = pins.positions[k];
+  }
+}
+
+// Vertices that are predicted deeper than a contact gives way start from where it does: from below, Newton's method on
+// a spring that stiffens brings them only a third of the way out.
+void TimeStep::liftOut(Positions& x) const {
+  if (contacts_.empty()) return;
+  for (int i = 0; i < x.rows(); ++i) {
+    const double excess = contacts_[i].depth(x.row(i)) - contacts_[i].give;
+    if (excess > 0.0 && !fixed_[i] && !contacts_[i].held) x.row(i) += excess * contacts_[i].normal;
+  }
+}
+
+void TimeStep::newton(const StopRule& stop, StepSummary& summary) {
+  const MinimiserSummary s = newton_->minimise(potential_, fixed_, stop, point_);
+  summary.newton_iterations += s.iterations;
+  summary.cg_iterations += s.cg_iterations;
+  summary.factorisations += s.factorisations;
+  summary.halvings += s.halvings;
+  summary.converged = s.converged;
+}
+
+void TimeStep::projective(const StopRule& stop, bool accelerated, StepSummary& summary) {
+  const MinimiserSummary s = projective_->minimise(potential_, fixed_, stop, accelerated, point_);
+  summary.projective_iterations += s.iterations;
+  summary.factorisations += s.factorisations;
+  summary.halvings += s.halvings;
+  summary.converged = s.converged;
+}
+
+void TimeStep::minimise(StepSummary& summary) {
+  switch (options_.method) {
+    case Method::bw1:
+      return newton({1}, summary);
+    case Method::newton:
+      return newton({kMostNewton, 0.0, options_.residual}, summary);
+    case Method::pd:
+      return projective({options_.iterations}, false, summary);
+    case Method::pd_lbfgs:
+      return projective({kMostProjective, options_.tolerance}, true, summary);
+    case Method::automatic:
+      break;
+  }
+  if (newton_steps_left_ > 0) {
+    --newton_steps_left_;
+    return newton({kMostNewton, options_.tolerance}, summary);
+  }
+  projective({kMostProjective, options_.tolerance, 0.0, kPatience}, true, summary);
+  if (summary.converged) return;
+  summary.handed_over = true;
+  newton_steps_left_ = kNewtonSteps;
+  newton({kMostNewton, options_.tolerance}, summary);
+}
+
+StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins& pins,
+                           const FindContacts& find_contacts) {
+  StepSummary summary;
+  potential_.begin(state, options);
+  point_.x = state.positions + options.h * state.velocities;
+  holdPins(pins, point_.x);
+  const int most_rounds = options_.method == Method::bw1 ? 1 : kMostContactRounds;
+  for (bool stale = true; stale && summary.contact_rounds < most_rounds;) {
+    ++summary.contact_rounds;
+    find_contacts(point_.x, contacts_);
+    potential_.setContacts(contacts_);
+    liftOut(point_.x);
+    found_at_ = point_.x;
+    point_.evaluate(potential_, fixed_);
+    minimise(summary);
+    stale = !contacts_.empty() && (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStale * kStale;
+  }
+  state.velocities = (point_.x - state.positions) / options.h;
+  state.positions = point_.x;
+  return summary;
+}
+
+}  // namespace ease

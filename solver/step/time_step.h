@@ -1,0 +1,86 @@
+// One implicit time step of the cloth, by whichever minimiser a scene asks for.
+//
+//   bw1        one Newton iteration
+//   newton     Newton to a residual
+//   pd         a number of local/global iterations
+//   pd-lbfgs   the same system as inverse Hessian of L-BFGS, to a relative error
+//   auto       pd-lbfgs, handing over to Newton when the error falls too slowly
+//
+// All minimise the same incremental potential and start at x_n + h v_n.  Contacts are found there, and again where the
+// cloth has ended up far from where they were found.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/step/newton.h"
+#include "solver/step/projective.h"
+
+namespace ease {
+
+enum class Method { bw1, newton, pd, pd_lbfgs, automatic };
+
+/// Names as in a scene; throws std::out_of_range for others.
+Method methodNamed(const std::string& name);
+
+struct MethodOptions {
+  Method method = Method::automatic;
+  double tolerance = 0.05;  // pd-lbfgs, auto: relative error of a step
+  double residual = 1e-2;   // newton: largest residual acceleration, m/s^2
+  int iterations = 10;      // pd
+};
+
+/// Vertices held at given positions, exactly.
+struct Pins {
+  std::vector<int> vertices;
+  std::vector<Vec3> positions;  // at the end of the step, m
+};
+
+/// Fills a plane for each sample of the cloth (contact.h) at these positions; leaves the vector empty where nothing can
+/// touch.
+using FindContacts = std::function<void(const Positions& x, std::vector<ContactPlane>& planes)>;
+
+struct StepSummary {
+  int newton_iterations = 0;
+  int projective_iterations = 0;
+  int cg_iterations = 0;
+  int factorisations = 0;
+  int halvings = 0;          // of a correction that would have raised the potential
+  int contact_rounds = 0;    // times that contacts were found
+  bool handed_over = false;  // auto: to Newton
+  bool converged = false;    // bw1, pd: never said
+};
+
+class TimeStep {
+ public:
+  /// The cloth is referred to; its rest shape may change between steps.  `ordering`: of the mesh's systems
+  /// (gradient_system.h).
+  TimeStep(const Cloth& cloth, const MethodOptions& options, std::span<const int> ordering);
+
+  /// Moves the state by one time step.  Throws ComputationError, with the state as it was, where a system cannot be
+  /// solved.
+  StepSummary step(State& state, const StepOptions& options, const Pins& pins, const FindContacts& find_contacts);
+
+  IncrementalPotential& potential() { return potential_; }
+
+ private:
+  void holdPins(const Pins& pins, Positions& x);
+  void liftOut(Positions& x) const;
+  void minimise(StepSummary& summary);
+  void newton(const StopRule& stop, StepSummary& summary);
+  void projective(const StopRule& stop, bool accelerated, StepSummary& summary);
+
+  MethodOptions options_;
+  IncrementalPotential potential_;
+  std::optional<Newton> newton_;
+  std::optional<Projective> projective_;
+  int newton_steps_left_ = 0;  // auto: before the projective method is tried again
+  std::vector<char> fixed_;
+  std::vector<ContactPlane> contacts_;
+  Positions found_at_;
+  Point point_;
+};
+
+}  // namespace ease
