@@ -1,6 +1,7 @@
 #include "collision/contacts.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <limits>
 
@@ -113,8 +114,9 @@ void ContactFinder::distances(const BodyMoment& body, std::span<const Vec3> samp
 
 void ContactFinder::distancesSinceFind(std::span<const Vec3> samples, std::vector<double>& distances) const {
   distances.resize(samples.size());
-  for (size_t k = 0; k < samples.size(); ++k)
+  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int k) {
     distances[order_[k]] = found_[k].phi + found_[k].normal.dot(samples[order_[k]] - points_[k]);
+  });
 }
 
 void Penetration::deepen(const std::vector<double>& sample_distances, int vertex_count, int edge_count) {
@@ -139,12 +141,14 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
   });
   makeRoom(body, offset, planes);
   // No plane asks for more in one step than this: cloth that got too deep is moved out, not shot out.
-  for (size_t s = 0; s < samples.size(); ++s) {
+  std::atomic<long> limited = 0;
+  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
     const double excess = planes[s].depth(samples[s]) - most_recovery;
-    if (excess <= 0.0) continue;
+    if (excess <= 0.0) return;
     planes[s].offset -= excess;
-    ++rescues_.limited;
-  }
+    ++limited;
+  });
+  rescues_.limited += limited;
 }
 
 void ContactFinder::makeRoom(const BodyMoment& body, double offset, std::vector<ContactPlane>& planes) {

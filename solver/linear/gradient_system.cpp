@@ -1,6 +1,7 @@
 #include "solver/linear/gradient_system.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "solver/linear/parallel.h"
 
@@ -27,11 +28,13 @@ std::vector<int> systemOrdering(int vertices, const Triangles& triangles) {
   return cholesky.ordering();
 }
 
-GradientSystem::GradientSystem(int vertices, const Triangles& triangles, std::span<const int> ordering)
+GradientSystem::GradientSystem(int vertices, const Triangles& triangles, std::span<const int> ordering,
+                               Cholesky::Kind kind)
     : triangles_(triangles),
       incidence_(vertices, {triangles_.data(), static_cast<size_t>(triangles_.size())}),
       matrix_(vertexPattern(vertices, triangles)),
-      cholesky_(Cholesky::Kind::kSimplicial),
+      cholesky_(kind),
+      kind_(kind),
       right_(vertices, 3) {
   cholesky_.analyse(matrix_, ordering);
   const auto slot = [&](int i, int j) {
@@ -67,13 +70,14 @@ bool GradientSystem::factor(std::span<const Mat2> rest_inverse, std::span<const 
     for (int j = 0; j < matrix_.cols(); ++j)
       for (SparseMatrix::InnerIterator it(matrix_, j); it; ++it)
         if (fixed[j] || fixed[it.row()]) it.valueRef() = it.row() == j ? 1.0 : 0.0;
-  return cholesky_.factor(matrix_);
+  if (!cholesky_.factor(matrix_)) return false;
+  if (kind_ == Cholesky::Kind::kSupernodal) cholesky_.copyTo(panels_);
+  return true;
 }
 
-void GradientSystem::solve(const Positions& right, Positions& x) {
-  right_ = right;
-  cholesky_.solve(right_.data(), right_.data(), 3);
-  x = right_;
+void GradientSystem::solveRounded(const Positions& right, Positions& x) {
+  assert(kind_ == Cholesky::Kind::kSupernodal);
+  panels_.solve(right.data(), x.data(), 3);
 }
 
 void GradientSystem::solve(std::span<const Mat32> targets, const Positions& anchors, Positions& x) {

@@ -8,12 +8,13 @@
 //   w_t, m_i                          weights, any unit, the same for both
 //
 // The matrix is a weighted cotangent Laplacian plus a diagonal (n x n, symmetric, positive definite if every connected
-// part has some m_i > 0), with three right-hand sides.  It serves the global step of projective dynamics (Bouaziz et al.
-// 2014), the stitcher of adapted triangles (Sorkine and Alexa 2007) and the interpolation of poses (Sumner and Popovic
-// 2004).  Weights that differ along warp and weft go into the columns of D^-1.
+// part has some m_i > 0), with three right-hand sides.  It serves the global step of projective dynamics (Bouaziz et
+// al. 2014), the stitcher of adapted triangles (Sorkine and Alexa 2007) and the interpolation of poses (Sumner and
+// Popovic 2004).  Weights that differ along warp and weft go into the columns of D^-1.
 //
-// The factor is simplicial: solved with .11 ms sooner than a supernodal one at 4,000 vertices (.11 against .38 ms), .29
-// against .96 at 10,000.
+// Stitcher and interpolation have a simplicial factor, in double precision, which is made sooner.  Projective dynamics
+// solves for corrections some ten times a step and takes panels (panels.h).  Milliseconds at 10,000 vertices, one
+// thread: factor 9.6 simplicial, 15 supernodal; solve .68 simplicial, .60 panels (.35 with two threads).
 #pragma once
 
 #include <array>
@@ -35,7 +36,8 @@ std::vector<int> systemOrdering(int vertices, const Triangles& triangles);
 class GradientSystem {
  public:
   /// Analyses, once for a mesh's connectivity.  `ordering`: systemOrdering's, or empty: found anew.
-  GradientSystem(int vertices, const Triangles& triangles, std::span<const int> ordering = {});
+  GradientSystem(int vertices, const Triangles& triangles, std::span<const int> ordering = {},
+                 Cholesky::Kind kind = Cholesky::Kind::kSimplicial);
 
   /// Sets the numbers and factors.  False if not positive definite.  Vertices that are `fixed` (none if empty) are
   /// taken out: their rows become those of the identity.
@@ -45,14 +47,16 @@ class GradientSystem {
   /// Positions for these targets, one a triangle; `anchors` are the y_i.
   void solve(std::span<const Mat32> targets, const Positions& anchors, Positions& x);
 
-  /// x such that A x = right; they may be the same.
-  void solve(const Positions& right, Positions& x);
+  /// x such that A x = right, to single precision; they may be the same.  Supernodal systems alone.
+  void solveRounded(const Positions& right, Positions& x);
 
  private:
   Triangles triangles_;
   Incidence incidence_;
   SparseMatrix matrix_;
   Cholesky cholesky_;
+  Cholesky::Kind kind_;
+  Panels panels_;
   std::vector<std::array<int, 9>> slots_;  // of triangle t's corners p, q in the matrix's values; -1 above its diagonal
   std::vector<int> diagonal_slots_;
   std::vector<Mat32> weighted_gradients_;  // w_t B_t

@@ -9,6 +9,7 @@ namespace ease {
 namespace {
 
 constexpr int kGrain = 512;
+constexpr int kContactBlock = 1024;  // samples
 
 std::span<const int> flat(const Triangles& triangles) {
   return {triangles.data(), static_cast<size_t>(triangles.size())};
@@ -101,48 +102,59 @@ void IncrementalPotential::layOutTriangles() {
 }
 
 void IncrementalPotential::setContacts(std::span<const ContactPlane> planes) {
-  for (const ContactLanes& touching : touching_)
-    for (int s : touching.sample)
-      if (s >= 0) contact_force_[s].setZero();
-  touching_.clear();
-  const int n = cloth_.vertexCount(), e = static_cast<int>(cloth_.topology().edges.size());
-  int lane = kLanes;
-  for (int s = 0; s < static_cast<int>(planes.size()); ++s) {
-    const ContactPlane& plane = planes[s];
-    if (plane.normal.isZero(0.0)) continue;
-    if (lane == kLanes) {
-      ContactLanes& next = touching_.emplace_back();
-      next.area.setZero();
-      next.give.setOnes();
-      for (int l = 0; l < kLanes; ++l)
-        next.sample[l] = -1, next.corners[0][l] = next.corners[1][l] = next.corners[2][l] = 0;
-      for (int a = 0; a < 3; ++a) next.weights[a].setZero(), next.normal[a].setZero();
-      next.offset.setZero(), next.least.setZero();
-      lane = 0;
+  const int count = static_cast<int>(planes.size());
+  touches_ = count > 0;
+  contacts_.resize((contact_force_.size() + kContactBlock - 1) / kContactBlock);
+  parallelFor(static_cast<int>(contacts_.size()), 1, [&](int b) {
+    std::vector<ContactLanes>& block = contacts_[b];
+    for (const ContactLanes& lanes : block)
+      for (int s : lanes.sample)
+        if (s >= 0) contact_force_[s].setZero();
+    block.clear();
+    int lane = kLanes;
+    for (int s = b * kContactBlock; s < std::min(count, (b + 1) * kContactBlock); ++s) {
+      if (planes[s].normal.isZero(0.0)) continue;
+      if (lane == kLanes) {
+        block.emplace_back();
+        lane = 0;
+      }
+      setLane(block.back(), lane++, s, planes[s]);
     }
-    ContactLanes& lanes = touching_.back();
-    int corner[3] = {s, s, s}, count = 1;
-    if (s >= n + e) {
-      count = 3;
-      for (int a = 0; a < 3; ++a) corner[a] = cloth_.triangles()(s - n - e, a);
-    } else if (s >= n) {
-      count = 2;
-      corner[0] = corner[2] = cloth_.topology().edges[s - n].vertex[0];
-      corner[1] = cloth_.topology().edges[s - n].vertex[1];
-    }
-    lanes.sample[lane] = s;
-    for (int a = 0; a < 3; ++a) {
-      lanes.corners[a][lane] = corner[a];
-      lanes.weights[a][lane] = a < count ? 1.0 / count : 0.0;
-      lanes.normal[a][lane] = plane.normal[a];
-    }
-    lanes.offset[lane] = plane.offset;
-    lanes.give[lane] = plane.give;
-    lanes.least[lane] = plane.held ? -1e3 : 0.0;
-    lanes.area[lane] = contactArea(s);
-    contact_normal_[s] = plane.normal;
-    ++lane;
+  });
+}
+
+IncrementalPotential::ContactLanes::ContactLanes() {
+  for (int l = 0; l < kLanes; ++l) {
+    sample[l] = -1;
+    for (int a = 0; a < 3; ++a) corners[a][l] = 0;
   }
+  for (int a = 0; a < 3; ++a) weights[a] = normal[a] = Lanes::Zero();
+  offset = least = area = Lanes::Zero();
+  give = Lanes::Ones();
+}
+
+void IncrementalPotential::setLane(ContactLanes& lanes, int lane, int s, const ContactPlane& plane) {
+  const int n = cloth_.vertexCount(), e = static_cast<int>(cloth_.topology().edges.size());
+  int corner[3] = {s, s, s}, count = 1;
+  if (s >= n + e) {
+    count = 3;
+    for (int a = 0; a < 3; ++a) corner[a] = cloth_.triangles()(s - n - e, a);
+  } else if (s >= n) {
+    count = 2;
+    corner[0] = corner[2] = cloth_.topology().edges[s - n].vertex[0];
+    corner[1] = cloth_.topology().edges[s - n].vertex[1];
+  }
+  lanes.sample[lane] = s;
+  for (int a = 0; a < 3; ++a) {
+    lanes.corners[a][lane] = corner[a];
+    lanes.weights[a][lane] = a < count ? 1.0 / count : 0.0;
+    lanes.normal[a][lane] = plane.normal[a];
+  }
+  lanes.offset[lane] = plane.offset;
+  lanes.give[lane] = plane.give;
+  lanes.least[lane] = plane.held ? -1e3 : 0.0;
+  lanes.area[lane] = contactArea(s);
+  contact_normal_[s] = plane.normal;
 }
 
 Lanes IncrementalPotential::ContactLanes::depth(const Positions& x) const {
@@ -248,34 +260,37 @@ double IncrementalPotential::hingeDampingForces(const Positions& x) {
 }
 
 double IncrementalPotential::contactForces(const Positions& x) {
-  partial_.resize(touching_.size());
-  parallelFor(static_cast<int>(touching_.size()), kGrain / kLanes, [&](int block) {
-    const ContactLanes& touching = touching_[block];
-    const Lanes depth = touching.depth(x);
-    partial_[block] = (touching.area * contactEnergy(depth, options_.contact_stiffness, touching.give)).sum();
-    const Lanes force = -touching.area * ease::contactPressure(depth, options_.contact_stiffness, touching.give);
-    const Lanes f[3] = {force * touching.normal[0], force * touching.normal[1], force * touching.normal[2]};
-    for (int l = 0; l < kLanes; ++l)
-      if (const int s = touching.sample[l]; s >= 0) contact_force_[s] = Vec3(f[0][l], f[1][l], f[2][l]);
+  if (!touches_) return 0.0;
+  partial_.assign(contacts_.size(), 0.0);
+  parallelFor(static_cast<int>(contacts_.size()), 1, [&](int b) {
+    for (const ContactLanes& lanes : contacts_[b]) {
+      const Lanes depth = lanes.depth(x);
+      partial_[b] += (lanes.area * contactEnergy(depth, options_.contact_stiffness, lanes.give)).sum();
+      const Lanes force = -lanes.area * ease::contactPressure(depth, options_.contact_stiffness, lanes.give);
+      const Lanes f[3] = {force * lanes.normal[0], force * lanes.normal[1], force * lanes.normal[2]};
+      for (int l = 0; l < kLanes; ++l)
+        if (const int s = lanes.sample[l]; s >= 0) contact_force_[s] = Vec3(f[0][l], f[1][l], f[2][l]);
+    }
   });
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
-// Calls add(touching, lane, stiffness) for each sample that is pressed at x, one after the other; N/m.
+// Calls add(lanes, lane, stiffness) for each sample that is pressed at x, one after the other; N/m.
 template <class Add>
 void IncrementalPotential::forPressed(const Positions& x, const Add& add) const {
-  for (const ContactLanes& touching : touching_) {
-    const Lanes depth = touching.depth(x);
-    for (int l = 0; l < kLanes; ++l)
-      if (touching.sample[l] >= 0 && depth[l] != 0.0)
-        add(touching, l, touching.area[l] * contactStiffness(depth[l], options_.contact_stiffness, touching.give[l]));
-  }
+  for (const std::vector<ContactLanes>& block : contacts_)
+    for (const ContactLanes& lanes : block) {
+      const Lanes depth = lanes.depth(x);
+      for (int l = 0; l < kLanes; ++l)
+        if (lanes.sample[l] >= 0 && depth[l] != 0.0)
+          add(lanes, l, lanes.area[l] * contactStiffness(depth[l], options_.contact_stiffness, lanes.give[l]));
+    }
 }
 
 double IncrementalPotential::gradient(const Positions& x, Positions& gradient) {
   const double energy = membraneForces(x) + hingeDampingForces(x) + contactForces(x);
   const double inverse_h2 = 1.0 / (options_.h * options_.h);
-  const bool damps_bending = !start_bending_.empty(), touches = !touching_.empty();
+  const bool damps_bending = !start_bending_.empty();
   partial_.resize(cloth_.vertexCount());
   parallelFor(cloth_.vertexCount(), kGrain, [&](int i) {
     const Vec3 ahead = x.row(i) - inertial_.row(i);
@@ -290,7 +305,7 @@ double IncrementalPotential::gradient(const Positions& x, Positions& gradient) {
     for (int k : triangle_corners_.of(i)) sum += corner_force_[k];
     if (damps_bending)
       for (int k : hinge_corners_.of(i)) sum += cloth_.hinges()[k / 4].stencil[k % 4] * hinge_force_[k / 4];
-    if (touches) sum += gatherContact(i);
+    if (touches_) sum += gatherContact(i);
     gradient.row(i) = sum;
   });
   return std::accumulate(partial_.begin(), partial_.end(), energy);
@@ -346,7 +361,7 @@ void IncrementalPotential::hessian(const Positions& x, Curvature kind, BlockMatr
     contact_stiffness_[touching.sample[lane]] = stiffness;
   });
   const auto addContact = [&](int s, double weight, Mat3& block) {
-    if (touching_.empty() || contact_stiffness_[s] == 0.0) return;
+    if (!touches_ || contact_stiffness_[s] == 0.0) return;
     const Vec3& normal = contact_normal_[s];
     block += weight * contact_stiffness_[s] * normal * normal.transpose();
   };
@@ -403,7 +418,7 @@ void IncrementalPotential::addBending(const Positions& d, Positions& product) {
 
 void IncrementalPotential::contactPressure(const Positions& x, std::vector<double>& pressure) {
   pressure.assign(cloth_.vertexCount(), 0.0);
-  if (touching_.empty()) return;
+  if (!touches_) return;
   contactForces(x);
   parallelFor(cloth_.vertexCount(), kGrain,
               [&](int i) { pressure[i] = gatherContact(i).norm() / cloth_.vertexAreas()[i]; });

@@ -86,6 +86,7 @@ class IncrementalPotential {
     Lanes offset, give;  // m
     Lanes least;         // depth, m: 0, or far below for a plane that holds
     Lanes area;          // m^2
+    ContactLanes();
     Lanes depth(const Positions& x) const;
   };
 
@@ -102,6 +103,7 @@ class IncrementalPotential {
   template <class Add>
   void forPressed(const Positions& x, const Add& add) const;
   double contactArea(int sample) const;
+  void setLane(ContactLanes& lanes, int lane, int sample, const ContactPlane& plane);
   Vec3 gatherContact(int vertex) const;
 
   const Cloth& cloth_;
@@ -112,7 +114,8 @@ class IncrementalPotential {
   double damping_stretch_ = 0.0, damping_shear_ = 0.0;  // over h, N/m
   std::vector<Eigen::Vector3d> start_conditions_;       // |f_u|, |f_v|, shear at the start, where damped
   std::vector<double> start_bending_;                   // |b| at the start, where damped
-  std::vector<ContactLanes> touching_;                 // samples that have a plane
+  bool touches_ = false;
+  std::vector<std::vector<ContactLanes>> contacts_;  // samples that have a plane, block by block
 
   BendingMatrix bending_;
   Incidence triangle_corners_, edge_ends_, hinge_corners_;

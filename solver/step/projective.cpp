@@ -28,7 +28,8 @@ bool isHopeless(const std::vector<double>& decrements, const StopRule& stop) {
 }  // namespace
 
 Projective::Projective(const Cloth& cloth, std::span<const int> ordering)
-    : system_(cloth.vertexCount(), cloth.triangles(), ordering), direction_(cloth.vertexCount(), 3) {}
+    : system_(cloth.vertexCount(), cloth.triangles(), ordering, Cholesky::Kind::kSupernodal),
+      direction_(cloth.vertexCount(), 3) {}
 
 bool Projective::prepare(IncrementalPotential& potential, const std::vector<char>& fixed, double contact_share,
                          const Positions& x) {
@@ -74,7 +75,7 @@ double Projective::direct(const Positions& gradient, bool accelerated) {
     alpha_[k] = pair(k).inverse * dot(pair(k).s, direction_);
     direction_ -= alpha_[k] * pair(k).y;
   }
-  system_.solve(direction_, direction_);
+  system_.solveRounded(direction_, direction_);
   for (int k = count - 1; k >= 0; --k) {
     const double beta = pair(k).inverse * dot(pair(k).y, direction_);
     direction_ += (alpha_[k] - beta) * pair(k).s;
