@@ -12,7 +12,8 @@ FrameHessian isotropicHessian(const Mat32& F, double mu, double lambda, Curvatur
   const double s1 = std::sqrt(std::max(least, eigen.eigenvalues()[1]));
   const double s2 = std::sqrt(std::max(least, eigen.eigenvalues()[0]));
   const Eigen::RowVector2d v1 = eigen.eigenvectors().col(1).transpose(), v2 = eigen.eigenvectors().col(0).transpose();
-  const Vec3 u1 = (F * v1.transpose()).normalized();
+  const Vec3 along = F * v1.transpose();
+  const Vec3 u1 = along.norm() > 1e-9 ? Vec3(along.normalized()) : Vec3::UnitX();
   Vec3 u2 = F * v2.transpose();
   u2 -= u1.dot(u2) * u1;
   u2 = u2.norm() > 1e-9 ? u2.normalized() : u1.unitOrthogonal();

@@ -275,12 +275,14 @@ double IncrementalPotential::contactForces(const Positions& x) {
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
-// Calls add(lanes, lane, stiffness) for each sample that is pressed at x, one after the other; N/m.
+// Calls add(lanes, lane, stiffness) for each sample that is pressed at x, or (bound) could be, one after the other;
+// N/m.
 template <class Add>
-void IncrementalPotential::forPressed(const Positions& x, const Add& add) const {
+void IncrementalPotential::forPressed(const Positions& x, bool bound, const Add& add) const {
   for (const std::vector<ContactLanes>& block : contacts_)
     for (const ContactLanes& lanes : block) {
-      const Lanes depth = lanes.depth(x);
+      Lanes depth = lanes.depth(x);
+      if (bound) depth = depth.max(lanes.give);
       for (int l = 0; l < kLanes; ++l)
         if (lanes.sample[l] >= 0 && depth[l] != 0.0)
           add(lanes, l, lanes.area[l] * contactStiffness(depth[l], options_.contact_stiffness, lanes.give[l]));
@@ -328,9 +330,9 @@ Eigen::Vector2d IncrementalPotential::projectiveWeights() const {
   return Eigen::Vector2d(s.warp.k, s.weft.k).array() + 2.0 * s.shear.k + isotropic;
 }
 
-void IncrementalPotential::contactDiagonal(const Positions& x, std::vector<double>& diagonal) {
+void IncrementalPotential::contactDiagonal(const Positions& x, bool bound, std::vector<double>& diagonal) {
   diagonal.assign(cloth_.vertexCount(), 0.0);
-  forPressed(x, [&](const ContactLanes& touching, int lane, double stiffness) {
+  forPressed(x, bound, [&](const ContactLanes& touching, int lane, double stiffness) {
     for (int a = 0; a < 3; ++a) diagonal[touching.corners[a][lane]] += touching.weights[a][lane] * stiffness;
   });
 }
@@ -357,7 +359,7 @@ void IncrementalPotential::hessian(const Positions& x, Curvature kind, BlockMatr
       hinge_hessian_[e] = hingeDampingHessian(hingeVector(cloth_.hinges()[e], x), hingeDamper(e), kind);
     });
   std::fill(contact_stiffness_.begin(), contact_stiffness_.end(), 0.0);
-  forPressed(x, [&](const ContactLanes& touching, int lane, double stiffness) {
+  forPressed(x, false, [&](const ContactLanes& touching, int lane, double stiffness) {
     contact_stiffness_[touching.sample[lane]] = stiffness;
   });
   const auto addContact = [&](int s, double weight, Mat3& block) {

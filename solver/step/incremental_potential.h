@@ -55,8 +55,9 @@ class IncrementalPotential {
   /// N/m: exact for terms that are distances to a set, a bound near rest for the others.
   Eigen::Vector2d projectiveWeights() const;
 
-  /// Stiffness of contact at x, on each vertex, as if it held in every direction, N/m: its row sums.
-  void contactDiagonal(const Positions& x, std::vector<double>& diagonal);
+  /// Stiffness of contact at x, on each vertex, as if it held in every direction, N/m: its row sums.  `bound`: of all
+  /// that can be met within the step, at least as deep as it gives way, whether it is met at x or not.
+  void contactDiagonal(const Positions& x, bool bound, std::vector<double>& diagonal);
 
   /// Contact force on each vertex over its area, Pa, at x: from its own sample and its share of those around.
   void contactPressure(const Positions& x, std::vector<double>& pressure);
@@ -101,7 +102,7 @@ class IncrementalPotential {
   double hingeDampingForces(const Positions& x);
   double contactForces(const Positions& x);
   template <class Add>
-  void forPressed(const Positions& x, const Add& add) const;
+  void forPressed(const Positions& x, bool bound, const Add& add) const;
   double contactArea(int sample) const;
   void setLane(ContactLanes& lanes, int lane, int sample, const ContactPlane& plane);
   Vec3 gatherContact(int vertex) const;

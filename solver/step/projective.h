@@ -10,7 +10,8 @@
 // that the last iterations met, and searches along it.
 //
 // A is factored once and again when the rest shape, the time step, damping or the pins change, and when the stiffness
-// of contact has drifted away from what A has on its diagonal (pd diverges without any).
+// of contact has drifted away from what A has on its diagonal.  pd diverges where A has less than there is: there A has
+// the stiffness of every sample that can be met, as deep as it may give way.  pd-lbfgs needs less, and what it finds.
 #pragma once
 
 #include <array>
@@ -35,14 +36,15 @@ class Projective {
     Positions s, y;  // change of position, change of gradient
     double inverse;  // 1 / (s . y)
   };
-  bool prepare(IncrementalPotential& potential, const std::vector<char>& fixed, double contact, const Positions& x);
+  bool prepare(IncrementalPotential& potential, const std::vector<char>& fixed, bool accelerated, const Positions& x);
   double direct(const Positions& gradient, bool accelerated);
   void remember(const Point& from, const Point& to);
 
   GradientSystem system_;
   // What the factor was made of.
   int rest_revision_ = -1;
-  double h_ = 0.0, contact_share_ = 0.0;
+  double h_ = 0.0;
+  bool accelerated_ = false;
   Eigen::Vector2d weights_ = Eigen::Vector2d::Zero();
   std::vector<char> fixed_;
   std::vector<double> contact_;  // N/m, on A's diagonal

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <map>
 
+#include "solver/mesh/error.h"
+
 namespace ease {
 
 namespace {
 
 constexpr int kMostNewton = 100;  // iterations of a step
 constexpr int kMostProjective = 1000;
-constexpr int kPatience = 60;     // iterations of pd-lbfgs that cost as much as one of Newton's
+constexpr int kPatience = 60;    // iterations of pd-lbfgs that cost as much as one of Newton's
 constexpr int kNewtonSteps = 2;  // after a hand-over, without trying pd-lbfgs
 constexpr int kMostContactRounds = 4;
 constexpr double kStale = 4e-3;  // m: a vertex that moved this far since contacts were found
@@ -110,6 +112,7 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
     minimise(summary);
     stale = !contacts_.empty() && (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStale * kStale;
   }
+  if (!point_.x.allFinite()) throw ComputationError("a position is not finite");
   state.velocities = (point_.x - state.positions) / options.h;
   state.positions = point_.x;
   return summary;

@@ -43,7 +43,7 @@ TEST_CASE("the smallest scene has the defaults") {
   CHECK(scene.material.density == 0.15);
   CHECK_FALSE(scene.material.total_mass);
   CHECK(scene.material.bending == 0.0);
-  CHECK(scene.solver.method == "bw1");
+  CHECK(scene.solver.method == "auto");
   CHECK(scene.solver.time_step == 0.0025);
   CHECK(scene.solver.steps_per_pose == 4);
   CHECK(scene.collision.offset == 0.005);
@@ -197,7 +197,7 @@ TEST_CASE("an impossible value is named with what was expected") {
       {"[solver]\ntime_step = 1.5", "[solver] time_step = 1.5:"},
       {"[solver]\ntime_step = nan", "[solver] time_step = nan:"},
       {"[solver]\nsteps_per_pose = 0", "[solver] steps_per_pose = 0:"},
-      {"[solver]\nmethod = 'euler'", "[solver] method = 'euler': expected 'bw1'"},
+      {"[solver]\nmethod = 'euler'", "[solver] method = 'euler': expected 'auto', 'bw1', 'newton', 'pd' or 'pd-lbfgs'"},
       {"[solver]\nthreads = -1", "[solver] threads = -1:"},
       {"[solver]\nthreads = 99999999999", "[solver] threads = 99999999999:"},
       {"[solver]\ngravity = [0, inf, 0]", "[solver] gravity = [0, inf, 0]:"},

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "solver/linear/gradient_system.h"
 #include "tests/sheet.h"
 
 using namespace ease;
@@ -31,6 +32,10 @@ BlockMatrix springs(const TriangleMesh& sheet, double disturbance) {
   return matrix;
 }
 
+std::vector<int> orderingOf(const TriangleMesh& mesh) {
+  return systemOrdering(static_cast<int>(mesh.positions.rows()), mesh.triangles);
+}
+
 const auto kNothingMore = [](const Positions&, Positions&) {};
 
 }  // namespace
@@ -39,7 +44,7 @@ TEST_CASE("a fresh factor, rounded to single precision, solves in two iterations
   const TriangleMesh sheet = makeSheet(15, 15, 1.0, 1.0);
   const BlockMatrix first = springs(sheet, 0.0), second = springs(sheet, 0.3);
   const std::vector<char> fixed(first.rows(), 0);
-  NewtonSystem system(first);
+  NewtonSystem system(first, orderingOf(sheet));
   const Positions expected = randomPositions(first.rows(), 4);
   Positions right(first.rows(), 3), d;
   first.multiply(expected, right);
@@ -59,7 +64,7 @@ TEST_CASE("a fresh factor, rounded to single precision, solves in two iterations
 TEST_CASE("what is added to the matrix is solved for too") {
   const TriangleMesh sheet = makeSheet(15, 15, 1.0, 1.0);
   const BlockMatrix matrix = springs(sheet, 0.0);
-  NewtonSystem system(matrix);
+  NewtonSystem system(matrix, orderingOf(sheet));
   const auto more = [](const Positions& d, Positions& product) { product += 3.0 * d; };
   const Positions expected = randomPositions(matrix.rows(), 4);
   Positions right(matrix.rows(), 3), d;
@@ -74,7 +79,7 @@ TEST_CASE("fixed vertices do not move") {
   const BlockMatrix matrix = springs(sheet, 0.0);
   std::vector<char> fixed(matrix.rows(), 0);
   fixed[3] = fixed[30] = 1;
-  NewtonSystem system(matrix);
+  NewtonSystem system(matrix, orderingOf(sheet));
   Positions d;
   const SolveSummary summary = system.solve(matrix, kNothingMore, fixed, randomPositions(matrix.rows(), 1), 1e-8, d);
   CHECK(summary.ok);
@@ -87,7 +92,7 @@ TEST_CASE("a matrix that is not positive definite is reported") {
   const TriangleMesh sheet = makeSheet(6, 6, 1.0, 1.0);
   BlockMatrix matrix = springs(sheet, 0.0);
   matrix.block(matrix.rowBegin(0)) = -50.0 * Mat3::Identity();
-  NewtonSystem system(matrix);
+  NewtonSystem system(matrix, orderingOf(sheet));
   Positions d;
   CHECK_FALSE(
       system

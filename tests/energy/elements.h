@@ -1,0 +1,71 @@
+// The membrane's terms, each as an energy of F with its stress and its second derivative, for tests that hold for all.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "solver/energy/isotropic.h"
+
+namespace ease {
+
+template <class Real>
+Deformation<Real> deformationOf(const Mat32& F) {
+  return {{Real(F(0, 0)), Real(F(1, 0)), Real(F(2, 0))}, {Real(F(0, 1)), Real(F(1, 1)), Real(F(2, 1))}};
+}
+
+struct Element {
+  std::string name;
+  std::function<double(const Deformation<double>&, Deformation<double>&)> add;
+  std::function<Lanes(const Deformation<Lanes>&, Deformation<Lanes>&)> addLanes;
+  std::function<FrameHessian(const Mat32&, Curvature)> hessian;
+
+  double energy(const Mat32& F) const {
+    Deformation<double> stress = deformationOf<double>(Mat32::Zero());
+    return add(deformationOf<double>(F), stress);
+  }
+  Mat32 stress(const Mat32& F) const {
+    Deformation<double> s = deformationOf<double>(Mat32::Zero());
+    add(deformationOf<double>(F), s);
+    Mat32 P;
+    P << s.u.x, s.v.x, s.u.y, s.v.y, s.u.z, s.v.z;
+    return P;
+  }
+  /// Second derivative by (f_u, f_v), 6 x 6.
+  Eigen::Matrix<double, 6, 6> whole(const Mat32& F, Curvature kind) const {
+    const FrameHessian h = hessian(F, kind);
+    Eigen::Matrix<double, 6, 6> H;
+    H << h.uu, h.uv, h.uv.transpose(), h.vv;
+    return H;
+  }
+};
+
+inline std::vector<Element> elements() {
+  const Spring stretch{800.0, 1.0}, shear{200.0, 0.0}, damped_shear{200.0, 0.3};
+  std::vector<Element> all;
+  all.push_back(
+      {"stretch", [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, stretch.c, P.u); },
+       [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, Lanes(Lanes::Constant(stretch.c)), P.u); },
+       [=](const Mat32& F, Curvature kind) {
+         FrameHessian h;
+         h.uu = stretchHessian(F.col(0), stretch, kind);
+         return h;
+       }});
+  for (const Spring& spring : {shear, damped_shear}) {
+    all.push_back(
+        {"orthogonal shear", [=](const auto& F, auto& P) { return addOrthogonalShear(F, spring.k, spring.c, P); },
+         [=](const auto& F, auto& P) { return addOrthogonalShear(F, spring.k, Lanes(Lanes::Constant(spring.c)), P); },
+         [=](const Mat32& F, Curvature kind) { return orthogonalShearHessian(F, spring, kind); }});
+    all.push_back(
+        {"bw98 shear", [=](const auto& F, auto& P) { return addBw98Shear(F, spring.k, spring.c, P); },
+         [=](const auto& F, auto& P) { return addBw98Shear(F, spring.k, Lanes(Lanes::Constant(spring.c)), P); },
+         [=](const Mat32& F, Curvature kind) { return bw98ShearHessian(F, spring, kind); }});
+  }
+  for (const double lambda : {0.0, 300.0})
+    all.push_back({"isotropic", [=](const auto& F, auto& P) { return addIsotropic(F, 400.0, lambda, P); },
+                   [=](const auto& F, auto& P) { return addIsotropic(F, 400.0, lambda, P); },
+                   [=](const Mat32& F, Curvature kind) { return isotropicHessian(F, 400.0, lambda, kind); }});
+  return all;
+}
+
+}  // namespace ease
