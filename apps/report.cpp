@@ -57,6 +57,7 @@ Json toJson(const Report& report, const Scene& scene) {
   json["triangles"] = report.triangles;
   json["poses"] = report.pose_names.size();
   json["steps"] = run.steps;
+  json["substeps"] = run.substeps;
   json["settle_steps"] = run.settle_steps;
   json["simulated_s"] = run.steps * report.time_step_s;
   json["wall_s"] = {{"total", report.total_s},
@@ -91,14 +92,10 @@ Json toJson(const Report& report, const Scene& scene) {
     json["penetration_mm"]["after"] = penetration(report.after.penetration);
   }
   json["final_speed_m_s"] = run.final_speed_m_s;
-  json["solver"] = {{"tolerance", scene.solver.tolerance},
-                    {"projective_iterations", run.projective_iterations},
-                    {"handed_over_to_newton", run.handed_over},
-                    {"contact_rounds", run.contact_rounds},
-                    {"newton_iterations", run.newton_iterations},
-                    {"cg_iterations", run.cg_iterations},
-                    {"factorisations", run.factorisations},
-                    {"adaptions", run.adaptions}};
+  json["solver"] = {{"tolerance", scene.solver.tolerance},        {"projective_iterations", run.projective_iterations},
+                    {"handed_over_to_newton", run.handed_over},   {"contact_rounds", run.contact_rounds},
+                    {"newton_iterations", run.newton_iterations}, {"cg_iterations", run.cg_iterations},
+                    {"factorisations", run.factorisations},       {"adaptions", run.adaptions}};
   json["rescues"] = {{"step_halvings", run.halvings},
                      {"voxels_on_demand", run.voxels_on_demand},
                      {"contacts_held_between_parts", run.contact.held},

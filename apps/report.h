@@ -21,6 +21,7 @@ struct StretchRecord {
 /// One run of the motion.
 struct PassRecord {
   int steps = 0;
+  int substeps = 1;  // that each of them is divided into, so that contact follows the body
   StretchRecord stretch;
   Penetration penetration;
   double wall_s = 0.0;           // the whole pass

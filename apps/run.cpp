@@ -69,7 +69,8 @@ class Run {
       try {
         advance(moment);
       } catch (const ComputationError& error) {
-        throw ComputationError(fmt::format("time step {} ({:.4f} s): {}", moment.step, moment.time_s, error.what()));
+        throw ComputationError(fmt::format("time step {} ({:.4f} s): {}", (moment.step - 1) / record_.substeps + 1,
+                                           moment.time_s, error.what()));
       }
       if (moment.measured) measure(moment);
       if (moment.adapts) adapt();
@@ -112,8 +113,10 @@ class Run {
     const StepOptions options{scene_.solver.time_step, scene_.solver.gravity, scene_.collision.stiffness};
     const StepSummary step =
         step_.step(state_, options, pins_, [&](const Positions& x, auto& planes) { findContacts(moment, x, planes); });
-    ++record_.steps;
-    if (moment.step > motion_steps_) ++record_.settle_steps;
+    if (moment.step % record_.substeps == 0) {
+      ++record_.steps;
+      if (moment.step > motion_steps_) ++record_.settle_steps;
+    }
     record_.contact = contacts_.rescues();
     record_.newton_iterations += step.newton_iterations;
     record_.projective_iterations += step.projective_iterations;
@@ -232,7 +235,14 @@ void runMotion(const Scene& scene, const SceneInput& input, MovingBody* body, Cl
     record.level_set_s = body->times().level_set_s - before.level_set_s;
     record.level_set_MB = static_cast<double>(body->levelSetBytes()) / 1e6;
   };
-  Run one(scene, input, body, cloth, options, state, record);
+  record.substeps = substepsFor(scene, input);
+  const Scene fine = divided(scene, record.substeps);
+  RunOptions fine_options = options;
+  if (options.on_step)
+    fine_options.on_step = [&](const Moment& moment) {
+      if (moment.step % record.substeps == 0) options.on_step(moment);
+    };
+  Run one(fine, input, body, cloth, fine_options, state, record);
   try {
     one();
   } catch (...) {

@@ -90,8 +90,8 @@ void readDamping(const TomlTable& table, Material& material) {
 }
 
 Material readMaterial(const TomlTable& table) {
-  table.allow({"density", "total_mass", "membrane", "stretch", "shear", "shear_form", "mu", "lambda", "bending",
-               "damping"});
+  table.allow(
+      {"density", "total_mass", "membrane", "stretch", "shear", "shear_form", "mu", "lambda", "bending", "damping"});
   Material material;
   if (table.has("density") && table.has("total_mass"))
     table.refuse("total_mass", "either density or total_mass, not both");
@@ -126,7 +126,8 @@ Material readMaterial(const TomlTable& table) {
 }
 
 SolverScene readSolver(const TomlTable& table, bool has_body) {
-  table.allow({"method", "tolerance", "residual", "iterations", "time_step", "steps_per_pose", "steps", "gravity", "threads"});
+  table.allow(
+      {"method", "tolerance", "residual", "iterations", "time_step", "steps_per_pose", "steps", "gravity", "threads"});
   SolverScene solver;
   solver.method = table.choice("method", solver.method, {"auto", "bw1", "newton", "pd", "pd-lbfgs"});
   const auto onlyFor = [&](const char* key, std::initializer_list<const char*> methods, const char* expected) {

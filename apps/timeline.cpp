@@ -1,9 +1,20 @@
 #include "apps/timeline.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
 #include <algorithm>
 #include <cmath>
 
 namespace ease {
+
+namespace {
+
+constexpr double kNear = 0.05;  // m: of the garment's box, where the body's motion matters
+constexpr int kMostSubsteps = 64;
+
+}  // namespace
 
 std::vector<Moment> timeline(const Scene& scene, bool adapting) {
   const int per_pose = scene.solver.steps_per_pose;
@@ -32,6 +43,33 @@ std::vector<Moment> timeline(const Scene& scene, bool adapting) {
     moments.push_back(m);
   }
   return moments;
+}
+
+int substepsFor(const Scene& scene, const SceneInput& input) {
+  if (input.poses.size() < 2) return 1;
+  const Positions& first = input.poses.front();
+  Eigen::AlignedBox3d reach;
+  for (int i = 0; i < input.garment.positions.rows(); ++i) reach.extend(input.garment.positions.row(i).transpose());
+  reach.min().array() -= kNear;
+  reach.max().array() += kNear;
+  double furthest = 0.0;  // from a pose to the next
+  for (size_t p = 0; p + 1 < input.poses.size(); ++p)
+    for (int i = 0; i < first.rows(); ++i)
+      if (reach.contains(Vec3(first.row(i))))
+        furthest = std::max(furthest, (input.poses[p + 1].row(i) - input.poses[p].row(i)).norm());
+  const double a_step = furthest / (scene.body->steps * scene.solver.steps_per_pose);
+  const double least = 0.5 * std::max(0.005, scene.collision.offset);
+  return std::clamp(static_cast<int>(std::ceil(a_step / least)), 1, kMostSubsteps);
+}
+
+Scene divided(const Scene& scene, int substeps) {
+  Scene fine = scene;
+  fine.solver.time_step /= substeps;
+  fine.solver.steps_per_pose *= substeps;
+  fine.solver.steps *= substeps;
+  if (fine.adaption) fine.adaption->every *= substeps, fine.adaption->settle *= substeps;
+  if (fine.output) fine.output->every *= substeps;
+  return fine;
 }
 
 }  // namespace ease

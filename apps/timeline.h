@@ -21,4 +21,11 @@ struct Moment {
 /// `adapting`: the run that adapts, with its cycles and its settling; otherwise once through the motion.
 std::vector<Moment> timeline(const Scene& scene, bool adapting);
 
+/// Into how many parts each time step is divided so that contact can follow the body: its surface near the garment
+/// moves by at most half the comfort offset (or 2.5 mm where that is less than 5 mm) in a part.
+int substepsFor(const Scene& scene, const SceneInput& input);
+
+/// The scene with every time step divided into so many; what is counted in time steps is counted in parts.
+Scene divided(const Scene& scene, int substeps);
+
 }  // namespace ease
