@@ -9,13 +9,14 @@ namespace ease {
 
 namespace {
 
-constexpr double kDrift = 0.5;  // of contact's stiffness: beyond, A is factored again
-constexpr double kContactAccelerated =
-    0.3;  // of contact's stiffness that A has; 0, .1, 1 need 2.7, 1.5, 1.1 times as many iterations
-
-constexpr double kUnseen =
-    2.0;                    // the error over the decrement that five pairs see (measured: 2.2 on a shirt in motion)
-constexpr int kWindow = 8;  // iterations over which the contraction is measured
+// Of contact's stiffness: beyond this drift A is factored again.
+constexpr double kDrift = 0.5;
+// Of contact's stiffness, what A has for pd-lbfgs: 0, .1 and 1 need 2.7, 1.5 and 1.1 times as many iterations.
+constexpr double kContactAccelerated = 0.3;
+// The error over the decrement that five pairs see: 2.2 was measured on a shirt in motion.
+constexpr double kUnseen = 2.0;
+// Iterations over which the contraction is measured.
+constexpr int kWindow = 8;
 
 // Whether, at the rate of the last iterations, more are left than there is patience for.
 bool isHopeless(const std::vector<double>& decrements, const StopRule& stop) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostNewton = 100;  // iterations of a step
 constexpr int kMostProjective = 1000;
-constexpr int kPatience = 60;    // iterations of pd-lbfgs that cost as much as one of Newton's
+constexpr int kPatience = 120;   // iterations of pd-lbfgs that cost as much as handing over: 3 or 4 of Newton's
 constexpr int kNewtonSteps = 2;  // after a hand-over, without trying pd-lbfgs
 constexpr int kMostContactRounds = 4;
 constexpr double kStale = 4e-3;  // m: a vertex that moved this far since contacts were found

@@ -152,3 +152,25 @@ TEST_CASE("an interrupted run ends with exit code 130 and says where its results
     CHECK_THAT(outcome.err, Contains("ease: interrupted: ") && Contains("results/hang"));
   }
 }
+
+TEST_CASE("every method runs the whole job, and one thread and two write the same rest shape to the last byte") {
+  const TemporaryDirectory directory;
+  for (const std::string method : {"auto", "bw1", "newton", "pd", "pd-lbfgs"}) {
+    INFO(method);
+    directory.write("dressed.toml",
+                    "[body]\nbuiltin = 'mannequin'\nposes = ['t', 'a']\nsteps = 4\n"
+                    "[garment]\nbuiltin = 't-shirt'\nvertices = 400\n[[garment.pin]]\nloop = 'neck'\n"
+                    "[material]\nbending = 1e-6\n[adaption]\nlimit = 0.02\nevery = 4\nverify = false\n"
+                    "[solver]\nmethod = '" +
+                        method + "'\n");
+    for (const std::string threads : {"1", "2"}) {
+      const Outcome outcome = runEase(directory, "run dressed.toml -o " + method + threads + " --threads " + threads);
+      INFO(outcome.err);
+      REQUIRE(outcome.code == 0);
+    }
+    const std::string one = contentOf(directory.path / (method + "1/rest_shape.obj"));
+    CHECK(one.size() > 10000);
+    CHECK(one == contentOf(directory.path / (method + "2/rest_shape.obj")));
+    CHECK_THAT(contentOf(directory.path / (method + "1/report.json")), Contains("\"adaptions\": 4"));
+  }
+}
