@@ -19,6 +19,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kWorrying = 2e-3;  // m: into the body, worth a warning
+
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -52,6 +54,7 @@ class Job {
 
   bool operator()() {
     const Clock::time_point start = Clock::now();
+    removeOldResults();
     setUp();
     report_.setup_s = secondsSince(start);
     try {
@@ -69,6 +72,13 @@ class Job {
   }
 
  private:
+  /// Those of an earlier run that this one may not write again.
+  void removeOldResults() const {
+    for (const char* name :
+         {"report.json", "stretch.png", "garment.pvd", "body.pvd", "rest.pvd", "rest_shape.obj", "rest_shape.vtp"})
+      if (std::filesystem::is_regular_file(directory_ / name)) std::filesystem::remove(directory_ / name);
+  }
+
   void setUp() {
     cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
     first_positions_ = cloth_->restPositions();
@@ -159,6 +169,10 @@ class Job {
 
   void finishReport(Clock::time_point start) {
     progress_.reset();
+    const Penetration& deepest = report_.run.penetration;
+    const double most = std::max({deepest.vertices, deepest.edge_midpoints, deepest.centroids});
+    if (most > kWorrying)
+      report_.warnings.push_back(fmt::format("the garment went {:.1f} mm into the body", 1e3 * most));
     report_.interrupted = interrupted_;
     report_.total_s = secondsSince(start);
     writeReport(report_, scene_, directory_);

@@ -95,8 +95,8 @@ void printSummary(const Scene& scene, const SceneInput& input) {
     fmt::print("  body      none\n");
   }
   const int steps = timeStepsOfMotion(scene);
-  fmt::print("  motion    {} time steps of {:g} s: {:g} s\n", steps, scene.solver.time_step,
-             steps * scene.solver.time_step);
+  fmt::print("  motion    {} time steps of {:g} s: {:g} s, by {}\n", steps, scene.solver.time_step,
+             steps * scene.solver.time_step, scene.solver.method);
   if (const auto& adaption = scene.adaption) {
     fmt::print("  adaption  principal stretch at most {:g}, every {} time steps, {} through the motion{}{}\n",
                1.0 + adaption->limit, adaption->every,
@@ -203,5 +203,6 @@ ExitCode commandLine(int argc, char** argv) {
 int main(int argc, char** argv) {
   std::signal(SIGINT, ease::onSignal);
   std::signal(SIGTERM, ease::onSignal);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of writing it
   return ease::guarded([&] { return ease::commandLine(argc, argv); });
 }

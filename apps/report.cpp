@@ -92,10 +92,19 @@ Json toJson(const Report& report, const Scene& scene) {
     json["penetration_mm"]["after"] = penetration(report.after.penetration);
   }
   json["final_speed_m_s"] = run.final_speed_m_s;
-  json["solver"] = {{"tolerance", scene.solver.tolerance},        {"projective_iterations", run.projective_iterations},
-                    {"handed_over_to_newton", run.handed_over},   {"contact_rounds", run.contact_rounds},
-                    {"newton_iterations", run.newton_iterations}, {"cg_iterations", run.cg_iterations},
-                    {"factorisations", run.factorisations},       {"adaptions", run.adaptions}};
+  const std::string& method = scene.solver.method;
+  Json solver = {{"time_step_s", report.time_step_s}};
+  if (method == "auto" || method == "pd-lbfgs") solver["tolerance"] = scene.solver.tolerance;
+  if (method == "newton") solver["residual_m_s2"] = scene.solver.residual;
+  if (method == "pd") solver["iterations"] = scene.solver.iterations;
+  solver["projective_iterations"] = run.projective_iterations;
+  solver["newton_iterations"] = run.newton_iterations;
+  solver["handed_over_to_newton"] = run.handed_over;
+  solver["cg_iterations"] = run.cg_iterations;
+  solver["factorisations"] = run.factorisations;
+  solver["contact_rounds"] = run.contact_rounds;
+  solver["adaptions"] = run.adaptions;
+  json["solver"] = solver;
   json["rescues"] = {{"step_halvings", run.halvings},
                      {"voxels_on_demand", run.voxels_on_demand},
                      {"contacts_held_between_parts", run.contact.held},
@@ -126,6 +135,7 @@ void writeReport(const Report& report, const Scene& scene, const std::filesystem
   }
   std::error_code error;
   std::filesystem::rename(temporary, file, error);
+  if (error) std::filesystem::remove(temporary);
   if (error) throw ComputationError(fmt::format("{}: {}", file.string(), error.message()));
 }
 

@@ -107,8 +107,9 @@ void ContactFinder::distances(const BodyMoment& body, std::span<const Vec3> samp
     const LevelSetSample& found = found_[k];
     double& distance = distances[order_[k]];
     distance = found.phi;
-    if (found.triangle < 0 || found.phi > kExactBelow) return;
-    distance = body.tree->signedDistance(points_[k] - body.tau * motionOf(body, found.triangle), kFarthest);
+    if (found.phi > kExactBelow) return;
+    const Vec3 motion = found.triangle < 0 ? Vec3(Vec3::Zero()) : motionOf(body, found.triangle);
+    distance = body.tree->signedDistance(points_[k] - body.tau * motion, kFarthest);
   });
 }
 
