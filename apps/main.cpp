@@ -107,10 +107,15 @@ void printSummary(const Scene& scene, const SceneInput& input) {
   fmt::print("ok\n");
 }
 
+ExitCode interruptedBeforeWriting() {
+  say("interrupted", "nothing was written");
+  return kInterrupted;
+}
+
 ExitCode checkCommand(const Arguments& arguments) {
   const Scene scene = readScene(arguments.scene);
   const SceneInput input = readWithWarnings(scene);
-  if (interrupted) return kInterrupted;
+  if (interrupted) return interruptedBeforeWriting();
   printSummary(scene, input);
   return kDone;
 }
@@ -126,7 +131,7 @@ ExitCode runCommand(const Arguments& arguments) {
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   return arena.execute([&] {
     const SceneInput input = readWithWarnings(scene);
-    if (interrupted) return kInterrupted;
+    if (interrupted) return interruptedBeforeWriting();
     prepareDirectory(directory);
     try {
       if (runScene(scene, input, directory, interrupted)) return kDone;
