@@ -27,16 +27,6 @@ std::vector<int> hingeCorners(const std::vector<Hinge>& hinges) {
   return corners;
 }
 
-// Positions of eight vertices, side by side.
-void gather(const Positions& x, const int (&vertices)[kLanes], Column<Lanes>& out) {
-  for (int l = 0; l < kLanes; ++l) {
-    const double* position = x.data() + 3 * vertices[l];
-    out.x[l] = position[0];
-    out.y[l] = position[1];
-    out.z[l] = position[2];
-  }
-}
-
 }  // namespace
 
 IncrementalPotential::IncrementalPotential(const Cloth& cloth)
@@ -118,53 +108,9 @@ void IncrementalPotential::setContacts(std::span<const ContactPlane> planes) {
         block.emplace_back();
         lane = 0;
       }
-      setLane(block.back(), lane++, s, planes[s]);
+      block.back().set(lane++, cloth_, s, planes[s]);
     }
   });
-}
-
-IncrementalPotential::ContactLanes::ContactLanes() {
-  for (int l = 0; l < kLanes; ++l) {
-    sample[l] = -1;
-    for (int a = 0; a < 3; ++a) corners[a][l] = 0;
-  }
-  for (int a = 0; a < 3; ++a) weights[a] = normal[a] = Lanes::Zero();
-  offset = least = area = Lanes::Zero();
-  give = Lanes::Ones();
-}
-
-void IncrementalPotential::setLane(ContactLanes& lanes, int lane, int s, const ContactPlane& plane) {
-  const int n = cloth_.vertexCount(), e = static_cast<int>(cloth_.topology().edges.size());
-  int corner[3] = {s, s, s}, count = 1;
-  if (s >= n + e) {
-    count = 3;
-    for (int a = 0; a < 3; ++a) corner[a] = cloth_.triangles()(s - n - e, a);
-  } else if (s >= n) {
-    count = 2;
-    corner[0] = corner[2] = cloth_.topology().edges[s - n].vertex[0];
-    corner[1] = cloth_.topology().edges[s - n].vertex[1];
-  }
-  lanes.sample[lane] = s;
-  for (int a = 0; a < 3; ++a) {
-    lanes.corners[a][lane] = corner[a];
-    lanes.weights[a][lane] = a < count ? 1.0 / count : 0.0;
-    lanes.normal[a][lane] = plane.normal[a];
-  }
-  lanes.offset[lane] = plane.offset;
-  lanes.give[lane] = plane.give;
-  lanes.least[lane] = plane.held ? -1e3 : 0.0;
-  lanes.area[lane] = contactArea(s);
-  contact_normal_[s] = plane.normal;
-}
-
-Lanes IncrementalPotential::ContactLanes::depth(const Positions& x) const {
-  Lanes height = Lanes::Zero();  // along the normal
-  for (int a = 0; a < 3; ++a) {
-    Column<Lanes> corner;
-    gather(x, corners[a], corner);
-    height += weights[a] * (corner.x * normal[0] + corner.y * normal[1] + corner.z * normal[2]);
-  }
-  return (offset - height).max(least);
 }
 
 IncrementalPotential::TriangleSprings IncrementalPotential::springs(int t) const {
@@ -181,17 +127,6 @@ IncrementalPotential::TriangleSprings IncrementalPotential::springs(int t) const
 
 HingeDamper IncrementalPotential::hingeDamper(int e) const {
   return {cloth_.material().damping_bending / options_.h * cloth_.hinges()[e].inverse_area, start_bending_[e]};
-}
-
-double IncrementalPotential::contactArea(int sample) const {
-  // Vertices, edges and triangles share the cloth's area evenly.
-  const int n = cloth_.vertexCount(), e = static_cast<int>(cloth_.topology().edges.size());
-  if (sample < n) return cloth_.vertexAreas()[sample] / 3.0;
-  if (sample >= n + e) return cloth_.restAreas()[sample - n - e] / 3.0;
-  double area = 0.0;
-  for (int t : cloth_.topology().edges[sample - n].triangle)
-    if (t >= 0) area += cloth_.restAreas()[t] / 9.0;
-  return area;
 }
 
 Vec3 IncrementalPotential::gatherContact(int vertex) const {
@@ -275,20 +210,6 @@ double IncrementalPotential::contactForces(const Positions& x) {
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
-// Calls add(lanes, lane, stiffness) for each sample that is pressed at x, or (bound) could be, one after the other;
-// N/m.
-template <class Add>
-void IncrementalPotential::forPressed(const Positions& x, bool bound, const Add& add) const {
-  for (const std::vector<ContactLanes>& block : contacts_)
-    for (const ContactLanes& lanes : block) {
-      Lanes depth = lanes.depth(x);
-      if (bound) depth = depth.max(lanes.give);
-      for (int l = 0; l < kLanes; ++l)
-        if (lanes.sample[l] >= 0 && depth[l] != 0.0)
-          add(lanes, l, lanes.area[l] * contactStiffness(depth[l], options_.contact_stiffness, lanes.give[l]));
-    }
-}
-
 double IncrementalPotential::gradient(const Positions& x, Positions& gradient) {
   const double energy = membraneForces(x) + hingeDampingForces(x) + contactForces(x);
   const double inverse_h2 = 1.0 / (options_.h * options_.h);
@@ -334,87 +255,6 @@ void IncrementalPotential::contactDiagonal(const Positions& x, bool bound, std::
   diagonal.assign(cloth_.vertexCount(), 0.0);
   forPressed(x, bound, [&](const ContactLanes& touching, int lane, double stiffness) {
     for (int a = 0; a < 3; ++a) diagonal[touching.corners[a][lane]] += touching.weights[a][lane] * stiffness;
-  });
-}
-
-void IncrementalPotential::hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) {
-  const int n = cloth_.vertexCount(), edge_count = static_cast<int>(cloth_.topology().edges.size());
-  parallelFor(cloth_.triangleCount(), kGrain, [&](int t) {
-    const Mat32 F = cloth_.deformation(x, t);
-    const TriangleSprings s = springs(t);
-    FrameHessian& h = frame_hessian_[t];
-    h = woven() ? FrameHessian() : isotropicHessian(F, cloth_.material().mu, cloth_.material().lambda, kind);
-    if (s.shear.k > 0.0) {
-      const bool bw98 = cloth_.material().shear_form == ShearForm::bw98;
-      const FrameHessian shear = bw98 ? bw98ShearHessian(F, s.shear, kind) : orthogonalShearHessian(F, s.shear, kind);
-      h.uu += shear.uu, h.uv += shear.uv, h.vv += shear.vv;
-    }
-    h.uu += stretchHessian(F.col(0), s.warp, kind);
-    h.vv += stretchHessian(F.col(1), s.weft, kind);
-    const double a = cloth_.restAreas()[t];
-    h.uu *= a, h.uv *= a, h.vv *= a;
-  });
-  if (!start_bending_.empty())
-    parallelFor(static_cast<int>(hinge_hessian_.size()), kGrain, [&](int e) {
-      hinge_hessian_[e] = hingeDampingHessian(hingeVector(cloth_.hinges()[e], x), hingeDamper(e), kind);
-    });
-  std::fill(contact_stiffness_.begin(), contact_stiffness_.end(), 0.0);
-  forPressed(x, false, [&](const ContactLanes& touching, int lane, double stiffness) {
-    contact_stiffness_[touching.sample[lane]] = stiffness;
-  });
-  const auto addContact = [&](int s, double weight, Mat3& block) {
-    if (!touches_ || contact_stiffness_[s] == 0.0) return;
-    const Vec3& normal = contact_normal_[s];
-    block += weight * contact_stiffness_[s] * normal * normal.transpose();
-  };
-  // Second derivative of triangle t's energy by its corners p, q.
-  const auto triangleBlock = [&](int t, int p, int q) -> Mat3 {
-    const Mat32 b = shapeGradients(cloth_.restInverse()[t]);
-    const FrameHessian& h = frame_hessian_[t];
-    return b(p, 0) * b(q, 0) * h.uu + b(p, 0) * b(q, 1) * h.uv + b(p, 1) * b(q, 0) * h.uv.transpose() +
-           b(p, 1) * b(q, 1) * h.vv;
-  };
-  const auto cornerOf = [&](int t, int vertex) {
-    const auto corners = cloth_.triangles().row(t);
-    return corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
-  };
-
-  const double inverse_h2 = 1.0 / (options_.h * options_.h);
-  parallelFor(n, kGrain, [&](int i) {
-    for (int k = hessian.rowBegin(i); k < hessian.rowEnd(i); ++k) {
-      Mat3 block = Mat3::Zero();
-      if (const int edge = hessian.edge(k); edge >= 0) {
-        for (int t : cloth_.topology().edges[edge].triangle)
-          if (t >= 0) {
-            block += triangleBlock(t, cornerOf(t, i), cornerOf(t, hessian.column(k)));
-            addContact(n + edge_count + t, 1.0 / 9.0, block);
-          }
-        addContact(n + edge, 1.0 / 4.0, block);
-      } else {
-        block = inverse_h2 * cloth_.masses()[i] * Mat3::Identity();
-        addContact(i, 1.0, block);
-        for (int c : triangle_corners_.of(i)) {
-          block += triangleBlock(c / 3, c % 3, c % 3);
-          addContact(n + edge_count + c / 3, 1.0 / 9.0, block);
-        }
-        for (int c : edge_ends_.of(i)) addContact(n + c / 2, 1.0 / 4.0, block);
-      }
-      hessian.block(k) = block;
-    }
-  });
-}
-
-void IncrementalPotential::addBending(const Positions& d, Positions& product) {
-  if (bending_.empty()) return;
-  const bool damps = !start_bending_.empty();
-  if (damps)
-    parallelFor(static_cast<int>(hinge_force_.size()), kGrain,
-                [&](int e) { hinge_force_[e] = hinge_hessian_[e] * hingeVector(cloth_.hinges()[e], d); });
-  parallelFor(cloth_.vertexCount(), kGrain, [&](int i) {
-    Vec3 sum = product.row(i).transpose() + bending_.row(i, d);
-    if (damps)
-      for (int k : hinge_corners_.of(i)) sum += cloth_.hinges()[k / 4].stencil[k % 4] * hinge_force_[k / 4];
-    product.row(i) = sum;
   });
 }
 

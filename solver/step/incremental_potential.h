@@ -21,8 +21,8 @@
 #include "solver/linear/block_matrix.h"
 #include "solver/linear/incidence.h"
 #include "solver/model/cloth.h"
-#include "solver/model/contact.h"
 #include "solver/step/bending_matrix.h"
+#include "solver/step/contact_lanes.h"
 #include "solver/step/state.h"
 
 namespace ease {
@@ -79,17 +79,6 @@ class IncrementalPotential {
     Lanes area;               // m^2; 0 beyond the last triangle
     Lanes warp, weft, shear;  // conditions at rest, damping included
   };
-  struct ContactLanes {
-    int sample[kLanes];  // -1 beyond the last
-    int corners[3][kLanes];
-    Lanes weights[3];  // of the corners in the sample: 1; 1/2, 1/2; 1/3, 1/3, 1/3
-    Lanes normal[3];
-    Lanes offset, give;  // m
-    Lanes least;         // depth, m: 0, or far below for a plane that holds
-    Lanes area;          // m^2
-    ContactLanes();
-    Lanes depth(const Positions& x) const;
-  };
 
   bool woven() const { return cloth_.material().membrane == Membrane::woven; }
   double shearCondition(const Mat32& F) const {
@@ -101,10 +90,19 @@ class IncrementalPotential {
   double membraneForces(const Positions& x);
   double hingeDampingForces(const Positions& x);
   double contactForces(const Positions& x);
+  /// Calls add(lanes, lane, stiffness) for each sample that is pressed at x, or (bound) could be, one after the other;
+  /// N/m.
   template <class Add>
-  void forPressed(const Positions& x, bool bound, const Add& add) const;
-  double contactArea(int sample) const;
-  void setLane(ContactLanes& lanes, int lane, int sample, const ContactPlane& plane);
+  void forPressed(const Positions& x, bool bound, const Add& add) const {
+    for (const std::vector<ContactLanes>& block : contacts_)
+      for (const ContactLanes& lanes : block) {
+        Lanes depth = lanes.depth(x);
+        if (bound) depth = depth.max(lanes.give);
+        for (int l = 0; l < kLanes; ++l)
+          if (lanes.sample[l] >= 0 && depth[l] != 0.0)
+            add(lanes, l, lanes.area[l] * contactStiffness(depth[l], options_.contact_stiffness, lanes.give[l]));
+      }
+  }
   Vec3 gatherContact(int vertex) const;
 
   const Cloth& cloth_;

@@ -1,0 +1,96 @@
+// The second derivative of the incremental potential.
+#include "solver/linear/parallel.h"
+#include "solver/step/incremental_potential.h"
+
+namespace ease {
+
+namespace {
+
+constexpr int kGrain = 512;
+
+}  // namespace
+
+void IncrementalPotential::hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) {
+  const int n = cloth_.vertexCount(), edge_count = static_cast<int>(cloth_.topology().edges.size());
+  parallelFor(cloth_.triangleCount(), kGrain, [&](int t) {
+    const Mat32 F = cloth_.deformation(x, t);
+    const TriangleSprings s = springs(t);
+    FrameHessian& h = frame_hessian_[t];
+    h = woven() ? FrameHessian() : isotropicHessian(F, cloth_.material().mu, cloth_.material().lambda, kind);
+    if (s.shear.k > 0.0) {
+      const bool bw98 = cloth_.material().shear_form == ShearForm::bw98;
+      const FrameHessian shear = bw98 ? bw98ShearHessian(F, s.shear, kind) : orthogonalShearHessian(F, s.shear, kind);
+      h.uu += shear.uu, h.uv += shear.uv, h.vv += shear.vv;
+    }
+    h.uu += stretchHessian(F.col(0), s.warp, kind);
+    h.vv += stretchHessian(F.col(1), s.weft, kind);
+    const double a = cloth_.restAreas()[t];
+    h.uu *= a, h.uv *= a, h.vv *= a;
+  });
+  if (!start_bending_.empty())
+    parallelFor(static_cast<int>(hinge_hessian_.size()), kGrain, [&](int e) {
+      hinge_hessian_[e] = hingeDampingHessian(hingeVector(cloth_.hinges()[e], x), hingeDamper(e), kind);
+    });
+  std::fill(contact_stiffness_.begin(), contact_stiffness_.end(), 0.0);
+  forPressed(x, false, [&](const ContactLanes& touching, int lane, double stiffness) {
+    contact_stiffness_[touching.sample[lane]] = stiffness;
+    contact_normal_[touching.sample[lane]] = {touching.normal[0][lane], touching.normal[1][lane],
+                                              touching.normal[2][lane]};
+  });
+  const auto addContact = [&](int s, double weight, Mat3& block) {
+    if (contact_stiffness_[s] == 0.0) return;
+    const Vec3& normal = contact_normal_[s];
+    block += weight * contact_stiffness_[s] * normal * normal.transpose();
+  };
+  // Second derivative of triangle t's energy by its corners p, q.
+  const auto triangleBlock = [&](int t, int p, int q) -> Mat3 {
+    const Mat32 b = shapeGradients(cloth_.restInverse()[t]);
+    const FrameHessian& h = frame_hessian_[t];
+    return b(p, 0) * b(q, 0) * h.uu + b(p, 0) * b(q, 1) * h.uv + b(p, 1) * b(q, 0) * h.uv.transpose() +
+           b(p, 1) * b(q, 1) * h.vv;
+  };
+  const auto cornerOf = [&](int t, int vertex) {
+    const auto corners = cloth_.triangles().row(t);
+    return corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
+  };
+
+  const double inverse_h2 = 1.0 / (options_.h * options_.h);
+  parallelFor(n, kGrain, [&](int i) {
+    for (int k = hessian.rowBegin(i); k < hessian.rowEnd(i); ++k) {
+      Mat3 block = Mat3::Zero();
+      if (const int edge = hessian.edge(k); edge >= 0) {
+        for (int t : cloth_.topology().edges[edge].triangle)
+          if (t >= 0) {
+            block += triangleBlock(t, cornerOf(t, i), cornerOf(t, hessian.column(k)));
+            addContact(n + edge_count + t, 1.0 / 9.0, block);
+          }
+        addContact(n + edge, 1.0 / 4.0, block);
+      } else {
+        block = inverse_h2 * cloth_.masses()[i] * Mat3::Identity();
+        addContact(i, 1.0, block);
+        for (int c : triangle_corners_.of(i)) {
+          block += triangleBlock(c / 3, c % 3, c % 3);
+          addContact(n + edge_count + c / 3, 1.0 / 9.0, block);
+        }
+        for (int c : edge_ends_.of(i)) addContact(n + c / 2, 1.0 / 4.0, block);
+      }
+      hessian.block(k) = block;
+    }
+  });
+}
+
+void IncrementalPotential::addBending(const Positions& d, Positions& product) {
+  if (bending_.empty()) return;
+  const bool damps = !start_bending_.empty();
+  if (damps)
+    parallelFor(static_cast<int>(hinge_force_.size()), kGrain,
+                [&](int e) { hinge_force_[e] = hinge_hessian_[e] * hingeVector(cloth_.hinges()[e], d); });
+  parallelFor(cloth_.vertexCount(), kGrain, [&](int i) {
+    Vec3 sum = product.row(i).transpose() + bending_.row(i, d);
+    if (damps)
+      for (int k : hinge_corners_.of(i)) sum += cloth_.hinges()[k / 4].stencil[k % 4] * hinge_force_[k / 4];
+    product.row(i) = sum;
+  });
+}
+
+}  // namespace ease
