@@ -75,8 +75,12 @@ class Job {
   /// Those of an earlier run that this one may not write again.
   void removeOldResults() const {
     for (const char* name :
-         {"report.json", "stretch.png", "garment.pvd", "body.pvd", "rest.pvd", "rest_shape.obj", "rest_shape.vtp"})
-      if (std::filesystem::is_regular_file(directory_ / name)) std::filesystem::remove(directory_ / name);
+         {"report.json", "stretch.png", "garment.pvd", "body.pvd", "rest.pvd", "rest_shape.obj", "rest_shape.vtp"}) {
+      if (std::filesystem::is_directory(directory_ / name))
+        throw InputError(
+            fmt::format("{}: is a directory: a result of that name is to be written", (directory_ / name).string()));
+      std::filesystem::remove(directory_ / name);
+    }
   }
 
   void setUp() {

@@ -174,7 +174,8 @@ ExitCode commandLine(int argc, char** argv) {
   Arguments arguments;
   CLI::App* run = app.add_subcommand("run", "Simulate and adapt; write series, rest shape, report and picture");
   run->add_option("SCENE", arguments.scene, "Scene file, TOML")->required();
-  run->add_option("-o,--output", arguments.directory, "Directory for the results; by default results/<scene's name>");
+  run->add_option("-o,--output", arguments.directory, "Directory for the results; by default results/<scene's name>")
+      ->check([](const std::string& directory) { return directory.empty() ? "expected a directory's name" : ""; });
   run->add_option("--threads", arguments.threads, "Number of threads, 0 for all; by default as the scene says")
       ->check(CLI::Range(0, 1024));
   run->footer(kRunExamples);

@@ -31,6 +31,14 @@ std::filesystem::path besideScene(const Scene& scene, const std::string& file) {
   return (scene.file.parent_path() / file).lexically_normal();
 }
 
+/// The mesh that a key of the scene names.
+TriangleMesh readNamedMesh(const Scene& scene, const char* key, const std::string& file) {
+  const std::filesystem::path path = besideScene(scene, file);
+  if (!std::filesystem::exists(path))
+    throw InputError(fmt::format("{}: {} = '{}': no such file: {}", scene.file.string(), key, file, path.string()));
+  return readMesh(path);
+}
+
 /// Six times the volume that a closed mesh encloses, m^3; negative if its triangles face inwards.
 double sixVolumes(const TriangleMesh& mesh) {
   double sum = 0.0;
@@ -72,9 +80,8 @@ void readFilePoses(const Scene& scene, SceneInput& input) {
       input.poses.push_back(input.poses[entry->second]);
       continue;
     }
-    const std::filesystem::path path = besideScene(scene, file);
-    const std::string name = path.string();
-    TriangleMesh pose = readMesh(path);
+    const std::string name = besideScene(scene, file).string();
+    TriangleMesh pose = readNamedMesh(scene, "[body] poses", file);
     checkGeometry(pose, name);
     checkVerticesUsed(pose, name);
     if (input.poses.empty()) {
@@ -159,12 +166,6 @@ void checkStart(const SceneInput& input, const std::string& garment_name) {
                     garment_name, distanceBetween(positions, body), pose, kFarthestGarment));
 }
 
-/// Tailors' words for a garment's uppermost and lowest loop.
-std::string loopPlace(const std::string& word) {
-  if (word == "neck") return "top";
-  return word == "hem" ? "bottom" : word;
-}
-
 std::vector<std::vector<int>> resolvePins(const Scene& scene, const TriangleMesh& garment, const Topology& topology,
                                           const std::string& garment_name) {
   std::vector<std::vector<int>> pins;
@@ -173,7 +174,7 @@ std::vector<std::vector<int>> resolvePins(const Scene& scene, const TriangleMesh
     const std::string where = fmt::format("{}: [[garment.pin]] number {}", scene.file.string(), pins.size() + 1);
     if (const auto* loop = std::get_if<std::string>(&pin.what)) {
       try {
-        pins.push_back(findLoop(topology, garment.positions, loopPlace(*loop)));
+        pins.push_back(findLoop(topology, garment.positions, *loop));
       } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", where, error.what()));
       }
@@ -197,7 +198,7 @@ SceneInput readSceneInput(const Scene& scene) {
   const bool built_in = !scene.garment.builtin.empty();
   const std::string name = built_in ? scene.garment.builtin : besideScene(scene, scene.garment.mesh).string();
   input.garment = built_in ? builtinGarment(scene.garment.builtin, scene.garment.vertices, scene.collision.offset)
-                           : readMesh(besideScene(scene, scene.garment.mesh));
+                           : readNamedMesh(scene, "[garment] mesh", scene.garment.mesh);
   checkGeometry(input.garment, name);
   checkVerticesUsed(input.garment, name);
   const Topology topology = buildTopology(input.garment, name);

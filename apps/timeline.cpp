@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <algorithm>
-#include <cmath>
-
 namespace ease {
 
 namespace {

@@ -185,14 +185,15 @@ const std::vector<int>& findLoop(const Topology& topology, const Positions& posi
     if (where == fmt::format("{}", l)) return loops[l];
   }
   Vec3 direction = Vec3::Zero();
-  if (where == "top") direction = Vec3::UnitY();
-  if (where == "bottom") direction = -Vec3::UnitY();
+  if (where == "top" || where == "neck") direction = Vec3::UnitY();
+  if (where == "bottom" || where == "hem") direction = -Vec3::UnitY();
   if (where == "left") direction = Vec3::UnitX();
   if (where == "right") direction = -Vec3::UnitX();
   if (direction.isZero() || loops.empty()) {
-    throw InputError(
-        fmt::format("no boundary loop \"{}\": expected \"top\", \"bottom\", \"left\", \"right\" or an index; {}", where,
-                    describeLoops(topology, positions)));
+    throw InputError(fmt::format(
+        "no boundary loop \"{}\": expected \"top\" or \"neck\", \"bottom\" or \"hem\", \"left\", \"right\", or an "
+        "index; {}",
+        where, describeLoops(topology, positions)));
   }
   std::vector<std::pair<double, std::size_t>> reach;  // along the direction, m; furthest first
   for (std::size_t l = 0; l < loops.size(); ++l) reach.emplace_back(-meanOf(positions, loops[l]).dot(direction), l);
