@@ -111,8 +111,8 @@ class Run {
     const Stopwatch watch(record_.step_s);
     placePins(moment);
     const StepOptions options{scene_.solver.time_step, scene_.solver.gravity, scene_.collision.stiffness};
-    const StepSummary step =
-        step_.step(state_, options, pins_, [&](const Positions& x, auto& planes) { findContacts(moment, x, planes); });
+    const StepSummary step = step_.step(
+        state_, options, pins_, [&](const Positions& x, Contacts& contacts) { findContacts(moment, x, contacts); });
     if (moment.step % record_.substeps == 0) {
       ++record_.steps;
       if (moment.step > motion_steps_) ++record_.settle_steps;
@@ -138,11 +138,11 @@ class Run {
     for (int v : fixed_) pins_.positions.push_back(input_.garment.positions.row(v));
   }
 
-  void findContacts(const Moment& moment, const Positions& x, std::vector<ContactPlane>& planes) {
+  void findContacts(const Moment& moment, const Positions& x, Contacts& contacts) {
     if (!body_) return;
     sampleCloth(x, cloth_.triangles(), cloth_.topology().edges, samples_);
     contacts_.find(body_->at(moment.body), samples_, scene_.collision.offset, kRecoverySpeed * scene_.solver.time_step,
-                   planes);
+                   contacts);
   }
 
   void measure(const Moment& moment) {

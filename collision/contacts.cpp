@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -128,31 +129,33 @@ void Penetration::deepen(const std::vector<double>& sample_distances, int vertex
 }
 
 void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, double offset, double most_recovery,
-                         std::vector<ContactPlane>& planes) {
+                         Contacts& contacts) {
   lookUp(body, samples, offset + kReach);
-  planes.resize(samples.size());
+  contacts.planes.resize(samples.size());
   parallelFor(static_cast<int>(samples.size()), kGrain, [&](int k) {
     const LevelSetSample& here = found_[k];
-    ContactPlane& plane = planes[order_[k]];
+    ContactPlane& plane = contacts.planes[order_[k]];
     plane = {};
     if (here.triangle < 0 || here.phi > offset + kReach) return;
     plane.normal = here.normal;
     plane.offset = here.normal.dot(points_[k]) + offset - here.phi;
     plane.give = std::max(kLeastGive, kGive * offset);
   });
-  makeRoom(body, offset, planes);
+  makeRoom(body, offset, contacts);
   // No plane asks for more in one step than this: cloth that got too deep is moved out, not shot out.
   std::atomic<long> limited = 0;
-  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
-    const double excess = planes[s].depth(samples[s]) - most_recovery;
+  const auto limit = [&](int s, ContactPlane& plane) {
+    const double excess = plane.depth(samples[s]) - most_recovery;
     if (excess <= 0.0) return;
-    planes[s].offset -= excess;
+    plane.offset -= excess;
     ++limited;
-  });
+  };
+  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) { limit(s, contacts.planes[s]); });
+  for (auto& [sample, plane] : contacts.seconds) limit(sample, plane);
   rescues_.limited += limited;
 }
 
-void ContactFinder::makeRoom(const BodyMoment& body, double offset, std::vector<ContactPlane>& planes) {
+void ContactFinder::makeRoom(const BodyMoment& body, double offset, Contacts& contacts) {
   // Samples that must move out by d = offset - phi: would they get there, or meet another part of the body?
   chosen_.clear();
   chosen_points_.clear();
@@ -164,20 +167,26 @@ void ContactFinder::makeRoom(const BodyMoment& body, double offset, std::vector<
   }
   ahead_.resize(chosen_.size());
   body.level_set->sample(chosen_points_, ahead_);
+  contacts.seconds.clear();
   for (size_t c = 0; c < chosen_.size(); ++c) {
-    const LevelSetSample &here = found_[chosen_[c]], &there = ahead_[c];
+    const int k = chosen_[c];
+    const LevelSetSample &here = found_[k], &there = ahead_[c];
     const double d = offset - here.phi;
-    if (there.phi > offset - kRidgeTolerance - 0.1 * d) continue;
-    // Along the normal the distance to this part grows by 1, that to the other one by `other` <= 0: where do they meet?
-    // Not before the surface, which is -phi away.  Near the middle itself the normal may point along it, other > 0:
-    // with 0 the way is what distance there is to gain.
-    const double other = std::min(0.0, there.normal.dot(here.normal));
-    const double middle = (there.phi - d * other - here.phi) / (1.0 - other);
-    const double way = std::clamp(middle, std::max(0.0, -here.phi), d);
-    ContactPlane& plane = planes[order_[chosen_[c]]];
-    plane.offset += way - d;
-    plane.give = std::max(kLeastGive, kGive * (here.phi + way));
-    plane.held = true;
+    if (there.triangle < 0 || there.phi > offset - kRidgeTolerance - 0.1 * d) continue;
+    // How far the sample is from the other part now, which moves in its own way.
+    const double along = here.normal.dot(there.normal);
+    const Vec3 apart = body.tau * (motionOf(body, here.triangle) - motionOf(body, there.triangle));
+    const double other = there.phi - d * along + there.normal.dot(apart);
+    // The room for both planes: half of what there is between the parts, and what there is more of it an offset
+    // further out, between the two.
+    const double opening = std::sqrt(std::max(0.0, 0.5 * (1.0 + along)));
+    const double room = std::clamp(0.5 * (here.phi + other) + offset * opening, 0.0, offset);
+    const double give = std::max(kLeastGive, kGive * room);
+    const Vec3& x = points_[k];
+    ContactPlane& first = contacts.planes[order_[k]];
+    first.offset = first.normal.dot(x) + room - here.phi;
+    first.give = give;
+    contacts.seconds.push_back({order_[k], {there.normal, there.normal.dot(x) + room - other, give}});
     ++rescues_.held;
   }
 }

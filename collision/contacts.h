@@ -5,9 +5,9 @@
 // A level set stands for its pose; between poses it is carried along with the body's motion: at time tau after it, a
 // point x is looked up where the body's surface near it came from, x - tau u.
 //
-// Where two parts of the body are nearer to each other than twice the offset (a closed armpit), no point is an offset
-// away from both, and a plane that asks for it would throw the cloth from one part to the other, step after step. There
-// the plane asks for the middle, and holds the cloth there from both sides.
+// Where two parts of the body are nearer to each other than twice the offset (an armpit), a plane of one of them would
+// throw the cloth into the other one, step after step.  There a sample has a plane of each.  If the parts face each
+// other, no point is an offset away from both: both planes are then put in the middle.
 #pragma once
 
 #include <span>
@@ -41,16 +41,16 @@ struct Penetration {
 
 /// Samples, over all calls of find(), whose plane is not simply the offset away from the body.
 struct ContactRescues {
-  long held = 0;     // in the middle between two parts of the body
+  long held = 0;     // between two parts of the body
   long limited = 0;  // too deep to be moved out in one step
 };
 
 class ContactFinder {
  public:
-  /// A plane for each of the samples that touches the body or nearly does.  A plane lies at most `most_recovery` (m)
+  /// Planes for each of the samples that touches the body or nearly does.  A plane lies at most `most_recovery` (m)
   /// above its sample.
   void find(const BodyMoment& body, std::span<const Vec3> samples, double offset, double most_recovery,
-            std::vector<ContactPlane>& planes);
+            Contacts& contacts);
 
   /// Signed distance of each sample to the body, m; exact where it is below 2 mm.
   void distances(const BodyMoment& body, std::span<const Vec3> samples, std::vector<double>& distances);
@@ -65,7 +65,7 @@ class ContactFinder {
   /// Fills found_; samples further than `near` (m) from the body need not be right.
   void lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near);
   void orderSamples(std::span<const Vec3> samples);
-  void makeRoom(const BodyMoment& body, double offset, std::vector<ContactPlane>& planes);
+  void makeRoom(const BodyMoment& body, double offset, Contacts& contacts);
 
   // Indexed by place in the order, not by sample.
   std::vector<int> order_;  // sample that comes k-th

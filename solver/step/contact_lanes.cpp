@@ -23,7 +23,7 @@ ContactLanes::ContactLanes() {
     for (int a = 0; a < 3; ++a) corners[a][l] = 0;
   }
   for (int a = 0; a < 3; ++a) weights[a] = normal[a] = Lanes::Zero();
-  offset = least = area = Lanes::Zero();
+  offset = area = Lanes::Zero();
   give = Lanes::Ones();
 }
 
@@ -46,7 +46,6 @@ void ContactLanes::set(int lane, const Cloth& cloth, int s, const ContactPlane& 
   }
   offset[lane] = plane.offset;
   give[lane] = plane.give;
-  least[lane] = plane.held ? -1e3 : 0.0;
   area[lane] = contactArea(cloth, s);
 }
 
@@ -57,7 +56,7 @@ Lanes ContactLanes::depth(const Positions& x) const {
     gather(x, corners[a], corner);
     height += weights[a] * (corner.x * normal[0] + corner.y * normal[1] + corner.z * normal[2]);
   }
-  return (offset - height).max(least);
+  return (offset - height).max(0.0);
 }
 
 }  // namespace ease

@@ -23,14 +23,13 @@ struct ContactLanes {
   Lanes weights[3];  // of the corners in the sample: 1; 1/2, 1/2; 1/3, 1/3, 1/3
   Lanes normal[3];
   Lanes offset, give;  // m
-  Lanes least;         // depth, m: 0, or far below for a plane that holds
   Lanes area;          // m^2 that the sample stands for
 
   /// No samples.
   ContactLanes();
   void set(int lane, const Cloth& cloth, int sample_of_cloth, const ContactPlane& plane);
 
-  /// m, at least `least`.
+  /// m, 0 above.
   Lanes depth(const Positions& x) const;
 };
 

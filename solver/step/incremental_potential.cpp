@@ -39,8 +39,8 @@ IncrementalPotential::IncrementalPotential(const Cloth& cloth)
       lanes_((cloth.triangleCount() + kLanes - 1) / kLanes),
       corner_force_(3 * kLanes * lanes_.size()),
       contact_force_(cloth.vertexCount() + cloth.topology().edges.size() + cloth.triangleCount(), Vec3::Zero()),
-      contact_normal_(contact_force_.size()),
-      contact_stiffness_(contact_force_.size()),
+      contact_hessian_(contact_force_.size()),
+      pressed_(contact_force_.size()),
       frame_hessian_(cloth.triangleCount()),
       hinge_hessian_(cloth.hinges().size()),
       hinge_force_(cloth.hinges().size()) {}
@@ -91,26 +91,31 @@ void IncrementalPotential::layOutTriangles() {
   });
 }
 
-void IncrementalPotential::setContacts(std::span<const ContactPlane> planes) {
-  const int count = static_cast<int>(planes.size());
+void IncrementalPotential::setContacts(const Contacts& contacts) {
+  const int count = static_cast<int>(contacts.planes.size());
   touches_ = count > 0;
-  contacts_.resize((contact_force_.size() + kContactBlock - 1) / kContactBlock);
-  parallelFor(static_cast<int>(contacts_.size()), 1, [&](int b) {
+  const int blocks = static_cast<int>((contact_force_.size() + kContactBlock - 1) / kContactBlock);
+  contacts_.resize(blocks + 1);
+  const auto add = [&](std::vector<ContactLanes>& block, int& lane, int sample, const ContactPlane& plane) {
+    if (lane == kLanes) {
+      block.emplace_back();
+      lane = 0;
+    }
+    block.back().set(lane++, cloth_, sample, plane);
+  };
+  parallelFor(blocks, 1, [&](int b) {
     std::vector<ContactLanes>& block = contacts_[b];
     for (const ContactLanes& lanes : block)
       for (int s : lanes.sample)
         if (s >= 0) contact_force_[s].setZero();
     block.clear();
     int lane = kLanes;
-    for (int s = b * kContactBlock; s < std::min(count, (b + 1) * kContactBlock); ++s) {
-      if (planes[s].normal.isZero(0.0)) continue;
-      if (lane == kLanes) {
-        block.emplace_back();
-        lane = 0;
-      }
-      block.back().set(lane++, cloth_, s, planes[s]);
-    }
+    for (int s = b * kContactBlock; s < std::min(count, (b + 1) * kContactBlock); ++s)
+      if (!contacts.planes[s].normal.isZero(0.0)) add(block, lane, s, contacts.planes[s]);
   });
+  contacts_.back().clear();
+  int lane = kLanes;
+  for (const auto& [sample, plane] : contacts.seconds) add(contacts_.back(), lane, sample, plane);
 }
 
 IncrementalPotential::TriangleSprings IncrementalPotential::springs(int t) const {
@@ -197,16 +202,22 @@ double IncrementalPotential::hingeDampingForces(const Positions& x) {
 double IncrementalPotential::contactForces(const Positions& x) {
   if (!touches_) return 0.0;
   partial_.assign(contacts_.size(), 0.0);
-  parallelFor(static_cast<int>(contacts_.size()), 1, [&](int b) {
+  const int blocks = static_cast<int>(contacts_.size()) - 1;
+  const auto addBlock = [&](int b) {
     for (const ContactLanes& lanes : contacts_[b]) {
       const Lanes depth = lanes.depth(x);
       partial_[b] += (lanes.area * contactEnergy(depth, options_.contact_stiffness, lanes.give)).sum();
       const Lanes force = -lanes.area * ease::contactPressure(depth, options_.contact_stiffness, lanes.give);
       const Lanes f[3] = {force * lanes.normal[0], force * lanes.normal[1], force * lanes.normal[2]};
       for (int l = 0; l < kLanes; ++l)
-        if (const int s = lanes.sample[l]; s >= 0) contact_force_[s] = Vec3(f[0][l], f[1][l], f[2][l]);
+        if (const int s = lanes.sample[l]; s >= 0) {
+          const Vec3 one(f[0][l], f[1][l], f[2][l]);
+          contact_force_[s] = b < blocks ? one : Vec3(contact_force_[s] + one);
+        }
     }
-  });
+  };
+  parallelFor(blocks, 1, addBlock);
+  addBlock(blocks);
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 

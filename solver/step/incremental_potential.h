@@ -40,8 +40,7 @@ class IncrementalPotential {
   /// Fixes what a step starts from: y, and the conditions whose rate is damped.  Forgets contacts.
   void begin(const State& start, const StepOptions& options);
 
-  /// A plane for each sample (contact.h); empty: no contact.
-  void setContacts(std::span<const ContactPlane> planes);
+  void setContacts(const Contacts& contacts);
 
   /// Gradient dE/dx, n x 3, N; returns E, J, up to a constant of the step.
   double gradient(const Positions& x, Positions& gradient);
@@ -114,16 +113,16 @@ class IncrementalPotential {
   std::vector<Eigen::Vector3d> start_conditions_;       // |f_u|, |f_v|, shear at the start, where damped
   std::vector<double> start_bending_;                   // |b| at the start, where damped
   bool touches_ = false;
-  std::vector<std::vector<ContactLanes>> contacts_;  // samples that have a plane, block by block
+  std::vector<std::vector<ContactLanes>> contacts_;  // samples that have a plane, block by block; last the second ones
 
   BendingMatrix bending_;
   Incidence triangle_corners_, edge_ends_, hinge_corners_;
   // Per element, between the loop over elements and the gathering loop over vertices.
   std::vector<TriangleLanes> lanes_;
-  std::vector<Vec3> corner_force_;   // of triangle t, corner a: corner_force_[3 t + a]; dE/dx, N
-  std::vector<Vec3> contact_force_;  // -a_s p n, N: its negative pushes the cloth out
-  std::vector<Vec3> contact_normal_;
-  std::vector<double> contact_stiffness_;  // a_s dp/d depth, N/m
+  std::vector<Vec3> corner_force_;     // of triangle t, corner a: corner_force_[3 t + a]; dE/dx, N
+  std::vector<Vec3> contact_force_;    // -a_s p n, N: its negative pushes the cloth out
+  std::vector<Mat3> contact_hessian_;  // a_s dp/d depth n nᵀ, N/m
+  std::vector<char> pressed_;          // whether that is not zero
   std::vector<FrameHessian> frame_hessian_;
   std::vector<Mat3> hinge_hessian_;
   std::vector<Vec3> hinge_force_;

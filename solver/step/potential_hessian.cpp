@@ -31,16 +31,16 @@ void IncrementalPotential::hessian(const Positions& x, Curvature kind, BlockMatr
     parallelFor(static_cast<int>(hinge_hessian_.size()), kGrain, [&](int e) {
       hinge_hessian_[e] = hingeDampingHessian(hingeVector(cloth_.hinges()[e], x), hingeDamper(e), kind);
     });
-  std::fill(contact_stiffness_.begin(), contact_stiffness_.end(), 0.0);
+  std::fill(pressed_.begin(), pressed_.end(), 0);
   forPressed(x, false, [&](const ContactLanes& touching, int lane, double stiffness) {
-    contact_stiffness_[touching.sample[lane]] = stiffness;
-    contact_normal_[touching.sample[lane]] = {touching.normal[0][lane], touching.normal[1][lane],
-                                              touching.normal[2][lane]};
+    const int s = touching.sample[lane];
+    const Vec3 normal(touching.normal[0][lane], touching.normal[1][lane], touching.normal[2][lane]);
+    if (!pressed_[s]) contact_hessian_[s].setZero();
+    contact_hessian_[s] += stiffness * normal * normal.transpose();
+    pressed_[s] = 1;
   });
   const auto addContact = [&](int s, double weight, Mat3& block) {
-    if (contact_stiffness_[s] == 0.0) return;
-    const Vec3& normal = contact_normal_[s];
-    block += weight * contact_stiffness_[s] * normal * normal.transpose();
+    if (pressed_[s]) block += weight * contact_hessian_[s];
   };
   // Second derivative of triangle t's energy by its corners p, q.
   const auto triangleBlock = [&](int t, int p, int q) -> Mat3 {

@@ -47,11 +47,14 @@ void TimeStep::holdPins(const Pins& pins, Positions& x) {
 // Vertices that are predicted deeper than a contact gives way start from where it does: from below, Newton's method on
 // a spring that stiffens brings them only a third of the way out.
 void TimeStep::liftOut(Positions& x) const {
-  if (contacts_.empty()) return;
-  for (int i = 0; i < x.rows(); ++i) {
-    const double excess = contacts_[i].depth(x.row(i)) - contacts_[i].give;
-    if (excess > 0.0 && !fixed_[i] && !contacts_[i].held) x.row(i) += excess * contacts_[i].normal;
-  }
+  if (contacts_.planes.empty()) return;
+  const auto lift = [&](int i, const ContactPlane& plane) {
+    const double excess = plane.depth(x.row(i)) - plane.give;
+    if (excess > 0.0 && !fixed_[i]) x.row(i) += excess * plane.normal;
+  };
+  for (int i = 0; i < x.rows(); ++i) lift(i, contacts_.planes[i]);
+  for (const auto& [sample, plane] : contacts_.seconds)
+    if (sample < x.rows()) lift(sample, plane);
 }
 
 void TimeStep::newton(const StopRule& stop, StepSummary& summary) {
@@ -110,7 +113,7 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
     found_at_ = point_.x;
     point_.evaluate(potential_, fixed_);
     minimise(summary);
-    stale = !contacts_.empty() && (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStale * kStale;
+    stale = !contacts_.planes.empty() && (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStale * kStale;
   }
   if (!point_.x.allFinite()) throw ComputationError("a position is not finite");
   state.velocities = (point_.x - state.positions) / options.h;

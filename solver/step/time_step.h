@@ -40,7 +40,7 @@ struct Pins {
 
 /// Fills a plane for each sample of the cloth (contact.h) at these positions; leaves the vector empty where nothing can
 /// touch.
-using FindContacts = std::function<void(const Positions& x, std::vector<ContactPlane>& planes)>;
+using FindContacts = std::function<void(const Positions& x, Contacts& contacts)>;
 
 struct StepSummary {
   int newton_iterations = 0;
@@ -78,7 +78,7 @@ class TimeStep {
   std::optional<Projective> projective_;
   int newton_steps_left_ = 0;  // auto: before the projective method is tried again
   std::vector<char> fixed_;
-  std::vector<ContactPlane> contacts_;
+  Contacts contacts_;
   Positions found_at_;
   Point point_;
 };

@@ -59,27 +59,57 @@ TEST_CASE("a plane stands the offset away from the body, and there is none far f
   Body body(makeSlabs(0.1));
   const std::vector<Vec3> points{{-0.047, 0.01, 0.02}, {-0.052, 0.03, 0.0}, {0.0, 0.0, 0.0}};
   ContactFinder finder;
-  std::vector<ContactPlane> planes;
-  finder.find(body.moment(points), points, 0.005, kMostRecovery, planes);
-  CHECK(planes[0].gap(points[0]) == Approx(-0.002).margin(1e-5));
-  CHECK(planes[1].gap(points[1]) == Approx(-0.007).margin(1e-5));
+  Contacts contacts;
+  finder.find(body.moment(points), points, 0.005, kMostRecovery, contacts);
+  const std::vector<ContactPlane>& planes = contacts.planes;
+  CHECK(planes[0].depth(points[0]) == Approx(0.002).margin(1e-5));
+  CHECK(planes[1].depth(points[1]) == Approx(0.007).margin(1e-5));
   CHECK((planes[0].normal - Vec3::UnitX()).norm() < 1e-3);
-  CHECK_FALSE(planes[0].held);
   CHECK(planes[2].normal.isZero());
   CHECK(planes[2].depth(points[2]) == 0.0);
+  CHECK(contacts.seconds.empty());
 }
 
-TEST_CASE("between parts nearer than twice the offset the plane is in the middle, and holds from both sides") {
+TEST_CASE("between parts nearer than twice the offset the planes of both are in the middle") {
   Body body(makeSlabs(0.004));
   ContactFinder finder;
-  std::vector<ContactPlane> planes;
+  Contacts contacts;
   for (const double x : {-0.0045, -0.001, 0.0012, 0.004}) {
     const std::vector<Vec3> points{{x, 0.01, 0.02}};
-    finder.find(body.moment(points), points, 0.005, kMostRecovery, planes);
-    CHECK(planes[0].held);
-    const Vec3 asked = points[0] + planes[0].depth(points[0]) * planes[0].normal;
-    CHECK(asked[0] == Approx(0.0).margin(1.25e-3));  // half a voxel
+    finder.find(body.moment(points), points, 0.005, kMostRecovery, contacts);
+    REQUIRE(contacts.seconds.size() == 1);
+    const ContactPlane &first = contacts.planes[0], &second = contacts.seconds[0].plane;
+    CHECK(first.normal.dot(second.normal) == Approx(-1.0).margin(1e-2));
+    const double asked = x + first.depth(points[0]) * first.normal[0] + second.depth(points[0]) * second.normal[0];
+    CHECK(asked == Approx(0.0).margin(1.25e-3));  // half a voxel
   }
+}
+
+// One plane a sample would let it slide along that one part into the other, from step to step.
+TEST_CASE("in a crease the planes of both parts lead out of it") {
+  const double slope = 0.5, gap = 0.002;  // each wall leans back by slope from y = 0 up
+  TriangleMesh walls = makeSlabs(gap);
+  for (int v = 0; v < 16; ++v) walls.positions(v, 0) += (v < 8 ? -slope : slope) * (walls.positions(v, 1) + 0.4);
+  Body body(walls);
+  const auto distanceToWalls = [&](const Vec3& x) {
+    return (0.5 * gap + slope * (x.y() + 0.4) - std::abs(x.x())) / std::hypot(1.0, slope);
+  };
+  ContactFinder finder;
+  Contacts contacts;
+  Vec3 x(0.0005, -0.398, 0.01);
+  const double before = distanceToWalls(x);
+  REQUIRE(before < 0.0015);
+  for (int round = 0; round < 8; ++round) {
+    const std::vector<Vec3> points{x};
+    finder.find(body.moment(points), points, 0.005, kMostRecovery, contacts);
+    // The nearest point above both planes.
+    for (int k = 0; k < 200; ++k) {
+      x += contacts.planes[0].depth(x) * contacts.planes[0].normal;
+      for (const auto& second : contacts.seconds) x += second.plane.depth(x) * second.plane.normal;
+    }
+    CHECK(distanceToWalls(x) > before - 1e-4);
+  }
+  CHECK(distanceToWalls(x) > 0.0045);
 }
 
 TEST_CASE("a level set is carried along with the body") {
@@ -97,8 +127,8 @@ TEST_CASE("distances since the last find follow small moves") {
   Body body(makeSlabs(0.1));
   std::vector<Vec3> points{{-0.047, 0.01, 0.02}};
   ContactFinder finder;
-  std::vector<ContactPlane> planes;
-  finder.find(body.moment(points), points, 0.005, kMostRecovery, planes);
+  Contacts contacts;
+  finder.find(body.moment(points), points, 0.005, kMostRecovery, contacts);
   points[0][0] -= 0.004;
   std::vector<double> distances;
   finder.distancesSinceFind(points, distances);

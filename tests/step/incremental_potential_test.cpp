@@ -24,7 +24,7 @@ struct Scene {
   Cloth cloth;
   IncrementalPotential potential;
   StepOptions options;
-  std::vector<ContactPlane> contacts;
+  Contacts contacts;
   Positions x;
 
   explicit Scene(const Material& material = everyTerm())
@@ -32,10 +32,11 @@ struct Scene {
     const int n = cloth.vertexCount(), e = static_cast<int>(cloth.topology().edges.size());
     State start{mesh.positions + 2e-3 * randomPositions(n, 1), 0.5 * randomPositions(n, 2)};
     x = start.positions + 2e-3 * randomPositions(n, 3);
-    contacts.resize(n + e + cloth.triangleCount());
-    for (size_t s = 0; s < contacts.size(); s += 3) {
-      contacts[s].normal = Vec3(0.1, 0.2 * std::sin(0.1 * s), 1.0).normalized();
-      contacts[s].offset = 1.2e-2;
+    contacts.planes.resize(n + e + cloth.triangleCount());
+    for (size_t s = 0; s < contacts.planes.size(); s += 3) {
+      contacts.planes[s].normal = Vec3(0.1, 0.2 * std::sin(0.1 * s), 1.0).normalized();
+      contacts.planes[s].offset = 1.2e-2;
+      if (s % 4 == 0) contacts.seconds.push_back({static_cast<int>(s), {Vec3(0.8, 0.0, 0.6), 0.1, 2e-3}});
     }
     potential.begin(start, options);
     potential.setContacts(contacts);
@@ -143,10 +144,11 @@ TEST_CASE("contact pressure is stiffness times depth on an evenly pressed sheet"
   StepOptions options;
   potential.begin({mesh.positions, Positions::Zero(mesh.positions.rows(), 3)}, options);
   const size_t samples = mesh.positions.rows() + cloth.topology().edges.size() + cloth.triangleCount();
-  std::vector<ContactPlane> contacts(samples, ContactPlane{Vec3::UnitZ(), 1e-3});
+  Contacts contacts;
+  contacts.planes.assign(samples, ContactPlane{Vec3::UnitZ(), 1e-3});
   potential.setContacts(contacts);
   std::vector<double> pressure;
   potential.contactPressure(mesh.positions, pressure);
   for (double p : pressure)
-    CHECK(p == Approx(contactPressure(1e-3, options.contact_stiffness, contacts[0].give)).epsilon(1e-9));
+    CHECK(p == Approx(contactPressure(1e-3, options.contact_stiffness, contacts.planes[0].give)).epsilon(1e-9));
 }

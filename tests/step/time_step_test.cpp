@@ -11,7 +11,7 @@ using namespace ease;
 
 namespace {
 
-const FindContacts kNoContacts = [](const Positions&, std::vector<ContactPlane>& planes) { planes.clear(); };
+const FindContacts kNoContacts = [](const Positions&, Contacts& contacts) { contacts.planes.clear(); };
 
 Material softCloth() {
   Material material;
@@ -35,9 +35,9 @@ MethodOptions tight(Method method) {
 
 // Floor at y = 0, for the vertices of a cloth.
 FindContacts floorFor(const Cloth& cloth) {
-  return [&cloth](const Positions& x, std::vector<ContactPlane>& planes) {
-    planes.assign(x.rows() + cloth.topology().edges.size() + cloth.triangleCount(), {});
-    for (int i = 0; i < x.rows(); ++i) planes[i] = {Vec3::UnitY(), 0.0};
+  return [&cloth](const Positions& x, Contacts& contacts) {
+    contacts.planes.assign(x.rows() + cloth.topology().edges.size() + cloth.triangleCount(), {});
+    for (int i = 0; i < x.rows(); ++i) contacts.planes[i] = {Vec3::UnitY(), 0.0};
   };
 }
 
