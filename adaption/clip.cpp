@@ -9,8 +9,8 @@ namespace ease {
 
 namespace {
 
-constexpr double kMostGrowth = 1.02;  // at a time
-constexpr int kSmoothing = 2;         // passes over neighbours
+constexpr double kGrowthAtATime = 1.02;
+constexpr int kSmoothing = 2;  // passes over neighbours
 
 void smooth(const Cloth& cloth, std::vector<Mat2>& growth) {
   std::vector<Mat2> smoothed(growth.size());
@@ -40,20 +40,27 @@ StretchGoal stretchGoal(double limit, double growth) {
 
 StretchClip::StretchClip(const Cloth& cloth, double limit) : first_edges_(cloth.restEdges()), limit_(limit) {}
 
-bool StretchClip::clip(const Cloth& cloth, const std::vector<Stretch>& stretch, std::vector<Mat2>& growth) const {
+bool StretchClip::clip(const Cloth& cloth, const std::vector<Stretch>& stretch, std::vector<Mat2>& growth) {
   growth.resize(cloth.triangleCount());
   std::atomic<bool> any = false;
+  std::atomic<int> fully_grown = 0;
   parallelFor(cloth.triangleCount(), 512, [&](int t) {
     const Stretch& s = stretch[t];
     const Mat2 to_first = first_edges_[t] * cloth.restInverse()[t];
-    const StretchGoal goal = stretchGoal(limit_, 1.0 / (to_first * s.direction).norm());
+    const double grown = 1.0 / (to_first * s.direction).norm();
+    const StretchGoal goal = stretchGoal(limit_, grown);
     growth[t].setIdentity();
     if (s.sigma_1 <= goal.act_above) return;
+    if (grown >= kMostGrowth) {
+      fully_grown += s.sigma_1 > 1.0 + limit_ ? 1 : 0;
+      return;
+    }
     any = true;
-    const double g1 = std::clamp(s.sigma_1 / goal.grow_to, 1.0, kMostGrowth);
-    const double g2 = std::clamp(s.sigma_2 / goal.grow_to, 1.0, kMostGrowth);
+    const double g1 = std::clamp(s.sigma_1 / goal.grow_to, 1.0, kGrowthAtATime);
+    const double g2 = std::clamp(s.sigma_2 / goal.grow_to, 1.0, kGrowthAtATime);
     growth[t] = g2 * Mat2::Identity() + (g1 - g2) * s.direction * s.direction.transpose();
   });
+  fully_grown_ = fully_grown;
   if (any) smooth(cloth, growth);
   return any;
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "adaption/clip.h"
 #include "apps/frames.h"
 #include "apps/progress.h"
 #include "apps/report.h"
@@ -68,6 +69,8 @@ class Job {
     if (report_.verified) drawPicture();
     finishReport(start);
     fmt::print("{}", summaryText(report_));
+    for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
+      fmt::print(stderr, "ease: warning: {}\n", report_.warnings[k]);
     return !interrupted_;
   }
 
@@ -89,9 +92,7 @@ class Job {
     first_edges_ = cloth_->restEdges();
     first_inverse_ = cloth_->restInverse();
     first_areas_ = cloth_->restAreas();
-    if (scene_.body)
-      body_.emplace(input_.body_triangles, input_.poses, scene_.body->steps,
-                    LevelSetOptions{scene_.collision.voxel, std::max(0.03, 3.0 * scene_.collision.offset)});
+    if (scene_.body) body_.emplace(movingBody(scene_, input_));
     report_.vertices = cloth_->vertexCount();
     report_.triangles = cloth_->triangleCount();
     report_.time_step_s = scene_.solver.time_step;
@@ -177,6 +178,11 @@ class Job {
     const double most = std::max({deepest.vertices, deepest.edge_midpoints, deepest.centroids});
     if (most > kWorrying)
       report_.warnings.push_back(fmt::format("the garment went {:.1f} mm into the body", 1e3 * most));
+    if (report_.run.fully_grown > 0)
+      report_.warnings.push_back(
+          fmt::format("{} triangles are still over the limit at {:g} times their first length: a load stretches them, "
+                      "not the body's shape; is the cloth too weak for its weight, or pinned too far apart?",
+                      report_.run.fully_grown, kMostGrowth));
     report_.interrupted = interrupted_;
     report_.total_s = secondsSince(start);
     writeReport(report_, scene_, directory_);

@@ -14,6 +14,7 @@
 
 #include "apps/job.h"
 #include "apps/scene.h"
+#include "apps/timeline.h"
 #include "apps/words.h"
 #include "solver/mesh/error.h"
 #include "solver/mesh/topology.h"
@@ -97,6 +98,9 @@ void printSummary(const Scene& scene, const SceneInput& input) {
   const int steps = timeStepsOfMotion(scene);
   fmt::print("  motion    {} time steps of {:g} s: {:g} s, by {}\n", steps, scene.solver.time_step,
              steps * scene.solver.time_step, scene.solver.method);
+  if (const int parts = divisionFor(scene, input).time_steps; parts > 1)
+    fmt::print("            each in {} parts, since the body moves {:.2g} mm in it\n", parts,
+               1e3 * bodyMotionOfStep(scene, input));
   if (const auto& adaption = scene.adaption) {
     fmt::print("  adaption  principal stretch at most {:g}, every {} time steps, {} through the motion{}{}\n",
                1.0 + adaption->limit, adaption->every,
@@ -131,6 +135,7 @@ ExitCode runCommand(const Arguments& arguments) {
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   return arena.execute([&] {
     const SceneInput input = readWithWarnings(scene);
+    divisionFor(scene, input);  // refuses what cannot be simulated
     if (interrupted) return interruptedBeforeWriting();
     prepareDirectory(directory);
     try {

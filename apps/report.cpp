@@ -57,7 +57,8 @@ Json toJson(const Report& report, const Scene& scene) {
   json["triangles"] = report.triangles;
   json["poses"] = report.pose_names.size();
   json["steps"] = run.steps;
-  json["substeps"] = run.substeps;
+  json["parts_of_time_step"] = run.division.time_steps;
+  json["parts_of_interpolation_step"] = run.division.interpolation_steps;
   json["settle_steps"] = run.settle_steps;
   json["simulated_s"] = run.steps * report.time_step_s;
   json["wall_s"] = {{"total", report.total_s},
@@ -107,6 +108,7 @@ Json toJson(const Report& report, const Scene& scene) {
   json["solver"] = solver;
   json["rescues"] = {{"step_halvings", run.halvings},
                      {"voxels_on_demand", run.voxels_on_demand},
+                     {"triangles_fully_grown", run.fully_grown},
                      {"contacts_held_between_parts", run.contact.held},
                      {"contacts_recovery_limited", run.contact.limited}};
   json["level_set_MB"] = run.level_set_MB;

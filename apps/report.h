@@ -7,6 +7,7 @@
 
 #include "adaption/stretch_measure.h"
 #include "apps/scene.h"
+#include "apps/timeline.h"
 #include "collision/contacts.h"
 
 namespace ease {
@@ -21,7 +22,7 @@ struct StretchRecord {
 /// One run of the motion.
 struct PassRecord {
   int steps = 0;
-  int substeps = 1;  // that each of them is divided into, so that contact follows the body
+  Division division;  // of those, and of the interpolation steps
   StretchRecord stretch;
   Penetration penetration;
   double wall_s = 0.0;           // the whole pass
@@ -31,6 +32,7 @@ struct PassRecord {
   long projective_iterations = 0, handed_over = 0, contact_rounds = 0;
   long newton_iterations = 0, cg_iterations = 0, factorisations = 0;
   long halvings = 0, voxels_on_demand = 0, settle_steps = 0, adaptions = 0;
+  int fully_grown = 0;  // triangles, at the end
   ContactRescues contact;
 };
 

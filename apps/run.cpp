@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/task_group.h>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -16,7 +17,8 @@ namespace ease {
 
 namespace {
 
-constexpr double kRecoverySpeed = 4.0;  // m/s: at most, of cloth that got too near to the body
+constexpr double kRecoverySpeed = 4.0;  // m/s: at most, of cloth that got too near to the body, beside the body's own
+constexpr double kLeastWay = 1e-3;      // m: of cloth that the body meets, however small the offset
 
 /// Adds the wall time of its scope.
 class Stopwatch {
@@ -41,6 +43,17 @@ MethodOptions methodOptions(const SolverScene& solver) {
   return {methodNamed(solver.method), solver.tolerance, solver.residual, solver.iterations};
 }
 
+/// N/m^3.  As the scene says, and at least what brings cloth at rest to the body's speed v within half the offset d:
+/// 1/2 k (d/2)^2 >= 1/2 rho v^2.
+double contactStiffness(const Scene& scene, const SceneInput& input, const Cloth& cloth) {
+  double mass = 0.0, area = 0.0;
+  for (double m : cloth.masses()) mass += m;
+  for (double a : cloth.restAreas()) area += a;
+  const double speed = bodyMotionOfStep(scene, input) / scene.solver.time_step;
+  const double way = 0.5 * std::max(kLeastWay, scene.collision.offset);
+  return std::max(scene.collision.stiffness, mass / area * std::pow(speed / way, 2));
+}
+
 class Run {
  public:
   Run(const Scene& scene, const SceneInput& input, MovingBody* body, Cloth& cloth, const RunOptions& options,
@@ -56,6 +69,8 @@ class Run {
         step_(cloth, methodOptions(scene.solver), ordering_),
         vertex_count_(cloth.vertexCount()),
         edge_count_(static_cast<int>(cloth.topology().edges.size())),
+        most_recovery_(kRecoverySpeed * scene.solver.time_step + bodyMotionOfStep(scene, input)),
+        contact_stiffness_(contactStiffness(scene, input, cloth)),
         motion_steps_(timeStepsOfMotion(scene) * (options.adapting && scene.adaption ? scene.adaption->cycles : 1)) {
     if (!options.adapting || !scene.adaption) return;
     clip_.emplace(cloth, scene.adaption->limit);
@@ -63,14 +78,16 @@ class Run {
   }
 
   void operator()() {
-    begin();
-    for (const Moment& moment : timeline(scene_, options_.adapting)) {
+    const std::vector<Moment> moments = timeline(scene_, options_.adapting);
+    begin(moments.empty() ? 0 : static_cast<int>(std::lround(moments.front().body)));
+    for (const Moment& moment : moments) {
       if (options_.interrupted && *options_.interrupted) return;
       try {
         advance(moment);
       } catch (const ComputationError& error) {
-        throw ComputationError(fmt::format("time step {} ({:.4f} s): {}", (moment.step - 1) / record_.substeps + 1,
-                                           moment.time_s, error.what()));
+        throw ComputationError(fmt::format("time step {} ({:.4f} s): {}",
+                                           (moment.step - 1) / record_.division.time_steps + 1, moment.time_s,
+                                           error.what()));
       }
       if (moment.measured) measure(moment);
       if (moment.adapts) adapt();
@@ -80,7 +97,8 @@ class Run {
   }
 
  private:
-  void begin() {
+  /// `first_level_set`: that the first step needs; 1 where the body is nearer to the next pose at its end.
+  void begin(int first_level_set) {
     state_.positions = input_.garment.positions;
     state_.velocities.setZero(vertex_count_, 3);
     for (size_t k = 0; k < input_.pins.size(); ++k) {
@@ -91,7 +109,7 @@ class Run {
     pins_.vertices.insert(pins_.vertices.end(), fixed_.begin(), fixed_.end());
     if (body_) {
       sampleCloth(state_.positions, cloth_.triangles(), cloth_.topology().edges, samples_);
-      body_->prepare(0, samples_);
+      for (int k = 0; k <= first_level_set; ++k) body_->prepare(k, samples_);
       body_pins_ = std::make_unique<BodyPins>(body_pinned_, state_.positions, input_.poses.front(), body_->triangles());
     }
     const Moment start{0, 0.0, 0.0, -1, body_ ? 0 : -1, false, true, options_.series != nullptr};
@@ -110,10 +128,10 @@ class Run {
     }
     const Stopwatch watch(record_.step_s);
     placePins(moment);
-    const StepOptions options{scene_.solver.time_step, scene_.solver.gravity, scene_.collision.stiffness};
+    const StepOptions options{scene_.solver.time_step, scene_.solver.gravity, contact_stiffness_};
     const StepSummary step = step_.step(
         state_, options, pins_, [&](const Positions& x, Contacts& contacts) { findContacts(moment, x, contacts); });
-    if (moment.step % record_.substeps == 0) {
+    if (moment.step % record_.division.time_steps == 0) {
       ++record_.steps;
       if (moment.step > motion_steps_) ++record_.settle_steps;
     }
@@ -141,8 +159,7 @@ class Run {
   void findContacts(const Moment& moment, const Positions& x, Contacts& contacts) {
     if (!body_) return;
     sampleCloth(x, cloth_.triangles(), cloth_.topology().edges, samples_);
-    contacts_.find(body_->at(moment.body), samples_, scene_.collision.offset, kRecoverySpeed * scene_.solver.time_step,
-                   contacts);
+    contacts_.find(body_->at(moment.body), samples_, scene_.collision.offset, most_recovery_, contacts);
   }
 
   void measure(const Moment& moment) {
@@ -164,7 +181,9 @@ class Run {
 
   void adapt() {
     const Stopwatch watch(record_.adaption_s);
-    if (!clip_->clip(cloth_, stretch_, growth_)) return;
+    const bool grows = clip_->clip(cloth_, stretch_, growth_);
+    record_.fully_grown = clip_->fullyGrown();
+    if (!grows) return;
     stitcher_->stitch(cloth_, growth_);
     ++record_.adaptions;
   }
@@ -199,6 +218,8 @@ class Run {
   std::optional<StretchClip> clip_;
   std::optional<Stitcher> stitcher_;
   int vertex_count_, edge_count_;
+  double most_recovery_;                  // m in a time step
+  double contact_stiffness_;              // N/m^3
   int motion_steps_;                      // without settling
   std::vector<int> body_pinned_, fixed_;  // vertices
   std::unique_ptr<BodyPins> body_pins_;
@@ -223,6 +244,12 @@ void SeriesOfRun::finish() {
   if (body) body->finish();
 }
 
+MovingBody movingBody(const Scene& scene, const SceneInput& input) {
+  const Scene fine = divided(scene, divisionFor(scene, input));
+  return MovingBody(input.body_triangles, input.poses, fine.body->steps,
+                    LevelSetOptions{scene.collision.voxel, std::max(0.03, 3.0 * scene.collision.offset)});
+}
+
 void runMotion(const Scene& scene, const SceneInput& input, MovingBody* body, Cloth& cloth, const RunOptions& options,
                State& state, PassRecord& record) {
   const Stopwatch watch(record.wall_s);
@@ -235,12 +262,12 @@ void runMotion(const Scene& scene, const SceneInput& input, MovingBody* body, Cl
     record.level_set_s = body->times().level_set_s - before.level_set_s;
     record.level_set_MB = static_cast<double>(body->levelSetBytes()) / 1e6;
   };
-  record.substeps = substepsFor(scene, input);
-  const Scene fine = divided(scene, record.substeps);
+  record.division = divisionFor(scene, input);
+  const Scene fine = divided(scene, record.division);
   RunOptions fine_options = options;
   if (options.on_step)
     fine_options.on_step = [&](const Moment& moment) {
-      if (moment.step % record.substeps == 0) options.on_step(moment);
+      if (moment.step % record.division.time_steps == 0) options.on_step(moment);
     };
   Run one(fine, input, body, cloth, fine_options, state, record);
   try {

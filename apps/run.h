@@ -34,6 +34,9 @@ struct RunOptions {
   const std::atomic<bool>* interrupted = nullptr;
 };
 
+/// The body of a scene, its poses as close as the motion wants them (timeline.h).
+MovingBody movingBody(const Scene& scene, const SceneInput& input);
+
 /// Runs the cloth from its start shape through the moments, adapting its rest shape if asked to.  `body` may be null.
 /// Fills the record and leaves the last state, also when it throws ComputationError, with the step and time at which it
 /// stopped.

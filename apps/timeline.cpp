@@ -1,15 +1,21 @@
 #include "apps/timeline.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "solver/mesh/error.h"
 
 namespace ease {
 
 namespace {
 
-constexpr double kNear = 0.05;  // m: of the garment's box, where the body's motion matters
-constexpr int kMostSubsteps = 64;
+constexpr double kNear = 0.05;              // m: of the garment's box, where the body's motion matters
+constexpr int kMostParts = 256;             // of a time step
+constexpr double kMostMotionOfPose = 0.03;  // m, in an interpolation step
 
 }  // namespace
 
@@ -42,8 +48,8 @@ std::vector<Moment> timeline(const Scene& scene, bool adapting) {
   return moments;
 }
 
-int substepsFor(const Scene& scene, const SceneInput& input) {
-  if (input.poses.size() < 2) return 1;
+double bodyMotionOfStep(const Scene& scene, const SceneInput& input) {
+  if (input.poses.size() < 2) return 0.0;
   const Positions& first = input.poses.front();
   Eigen::AlignedBox3d reach;
   for (int i = 0; i < input.garment.positions.rows(); ++i) reach.extend(input.garment.positions.row(i).transpose());
@@ -54,18 +60,35 @@ int substepsFor(const Scene& scene, const SceneInput& input) {
     for (int i = 0; i < first.rows(); ++i)
       if (reach.contains(Vec3(first.row(i))))
         furthest = std::max(furthest, (input.poses[p + 1].row(i) - input.poses[p].row(i)).norm());
-  const double a_step = furthest / (scene.body->steps * scene.solver.steps_per_pose);
-  const double least = 0.5 * std::max(0.005, scene.collision.offset);
-  return std::clamp(static_cast<int>(std::ceil(a_step / least)), 1, kMostSubsteps);
+  return furthest / (scene.body->steps * scene.solver.steps_per_pose);
 }
 
-Scene divided(const Scene& scene, int substeps) {
+Division divisionFor(const Scene& scene, const SceneInput& input) {
+  if (input.poses.size() < 2) return {};
+  const double motion = bodyMotionOfStep(scene, input), least = 0.5 * std::max(0.005, scene.collision.offset);
+  if (motion > kMostParts * least)
+    throw InputError(
+        fmt::format("{}: [body] steps = {}: the body moves {:.3g} m in a time step of {:g} s: expected at "
+                    "most {:.2g} m; more interpolation steps, or more time steps for each?",
+                    scene.file.string(), scene.body->steps, motion, scene.solver.time_step, kMostParts * least));
+  const int per_pose = scene.solver.steps_per_pose;
+  Division division;
+  division.interpolation_steps = std::max(1, static_cast<int>(std::ceil(motion * per_pose / kMostMotionOfPose)));
+  // Whole time steps between the poses.
+  const int multiple = division.interpolation_steps / std::gcd(division.interpolation_steps, per_pose);
+  division.time_steps = multiple * std::max(1, static_cast<int>(std::ceil(motion / least / multiple)));
+  return division;
+}
+
+Scene divided(const Scene& scene, const Division& division) {
+  const int parts = division.time_steps;
   Scene fine = scene;
-  fine.solver.time_step /= substeps;
-  fine.solver.steps_per_pose *= substeps;
-  fine.solver.steps *= substeps;
-  if (fine.adaption) fine.adaption->every *= substeps, fine.adaption->settle *= substeps;
-  if (fine.output) fine.output->every *= substeps;
+  fine.solver.time_step /= parts;
+  fine.solver.steps_per_pose = scene.solver.steps_per_pose * parts / division.interpolation_steps;
+  if (fine.body) fine.body->steps *= division.interpolation_steps;
+  fine.solver.steps *= parts;
+  if (fine.adaption) fine.adaption->every *= parts, fine.adaption->settle *= parts;
+  if (fine.output) fine.output->every *= parts;
   return fine;
 }
 

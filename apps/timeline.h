@@ -21,11 +21,21 @@ struct Moment {
 /// `adapting`: the run that adapts, with its cycles and its settling; otherwise once through the motion.
 std::vector<Moment> timeline(const Scene& scene, bool adapting);
 
-/// Into how many parts each time step is divided so that contact can follow the body: its surface near the garment
-/// moves by at most half the comfort offset (or 2.5 mm where that is less than 5 mm) in a part.
-int substepsFor(const Scene& scene, const SceneInput& input);
+/// How far the body's surface near the garment moves in a time step, at most, m.
+double bodyMotionOfStep(const Scene& scene, const SceneInput& input);
 
-/// The scene with every time step divided into so many; what is counted in time steps is counted in parts.
-Scene divided(const Scene& scene, int substeps);
+/// Into how many parts steps are divided where the body moves far in one.
+struct Division {
+  int time_steps = 1;           // parts of a time step, so that contact can follow the body
+  int interpolation_steps = 1;  // parts of an interpolation step, so that a level set's band reaches to the next
+};
+
+/// The body's surface near the garment moves by at most half the comfort offset (or 2.5 mm where that is less than
+/// 5 mm) in a part of a time step, and by 3 cm in a part of an interpolation step.  Throws InputError where a time step
+/// would have more than 256 parts.
+Division divisionFor(const Scene& scene, const SceneInput& input);
+
+/// The scene with its steps divided; what is counted in steps is counted in parts.
+Scene divided(const Scene& scene, const Division& division);
 
 }  // namespace ease

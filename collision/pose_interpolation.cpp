@@ -103,9 +103,11 @@ void PoseInterpolation::findParts(const Positions& from, const Positions& to) {
   part_of_ = connectedParts(static_cast<int>(from.rows()), triangles_);
   parts_.resize(*std::max_element(part_of_.begin(), part_of_.end()) + 1);
   for (int v = 0; v < from.rows(); ++v) parts_[part_of_[v]].steady.push_back(v);
-  const auto motion = [&](int v) { return std::pair((to.row(v) - from.row(v)).squaredNorm(), v); };
+  // Kept, not computed within the comparison: contracted differently on its two sides, equal motions would differ.
+  std::vector<std::pair<double, int>> motion(from.rows());
+  for (int v = 0; v < from.rows(); ++v) motion[v] = {(to.row(v) - from.row(v)).squaredNorm(), v};
   for (Part& part : parts_) {
-    std::sort(part.steady.begin(), part.steady.end(), [&](int a, int b) { return motion(a) < motion(b); });
+    std::sort(part.steady.begin(), part.steady.end(), [&](int a, int b) { return motion[a] < motion[b]; });
     part.steady.resize((part.steady.size() + 1) / 2);
     part.anchor = part.steady.front();
     part.from = part.to = Vec3::Zero();

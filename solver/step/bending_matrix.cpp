@@ -1,6 +1,10 @@
 #include "solver/step/bending_matrix.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/linear/parallel.h"
 
 namespace ease {
 
@@ -31,6 +35,24 @@ void BendingMatrix::set(const std::vector<Hinge>& hinges, double stiffness) {
       for (int q = 0; q < 4; ++q)
         values_[slots_[16 * h + 4 * p + q]] += w * hinges[h].stencil[p] * hinges[h].stencil[q];
   }
+}
+
+double BendingMatrix::roundOff(const Positions& x) const {
+  if (empty()) return 0.0;
+  const double magnitude = parallelSum(static_cast<int>(x.rows()), [&](int i) {
+    double sum = 0.0;
+    for (int k = start_[i]; k < start_[i + 1]; ++k)
+      sum += std::abs(values_[k]) * (x.row(column_[k]) - x.row(i)).squaredNorm();
+    return 0.25 * sum;
+  });
+  return 8.0 * std::numeric_limits<double>::epsilon() * magnitude;
+}
+
+double BendingMatrix::rowBound(int i) const {
+  double sum = 0.0;
+  if (empty()) return sum;
+  for (int k = start_[i]; k < start_[i + 1]; ++k) sum += std::abs(values_[k]);
+  return sum;
 }
 
 }  // namespace ease

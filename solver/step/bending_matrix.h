@@ -21,12 +21,25 @@ class BendingMatrix {
 
   bool empty() const { return values_.empty(); }
 
-  /// Row i of Q x, N.
-  Vec3 row(int i, const Positions& x) const {
-    Vec3 sum = Vec3::Zero();
-    for (int k = start_[i]; k < start_[i + 1]; ++k) sum += values_[k] * x.row(column_[k]).transpose();
-    return sum;
+  /// Adds row i of Q x, N, to `product`, and returns the row's share of 1/2 xᵀ Q x, J.  Rows of Q add up to zero, so
+  /// that it sees differences alone, where rounding is least: (Q x)_i = sum_j Q_ij (x_j - x_i), and the share is
+  /// -1/4 sum_j Q_ij |x_j - x_i|^2.
+  double addRow(int i, const Positions& x, Vec3& product) const {
+    const Vec3 here = x.row(i);
+    double energy = 0.0;
+    for (int k = start_[i]; k < start_[i + 1]; ++k) {
+      const Vec3 apart = x.row(column_[k]).transpose() - here;
+      product += values_[k] * apart;
+      energy -= values_[k] * apart.squaredNorm();
+    }
+    return 0.25 * energy;
   }
+
+  /// What rounding may do to the energy of all rows, J.
+  double roundOff(const Positions& x) const;
+
+  /// Sum of |Q_ij| over j, N/m: a diagonal of these bounds Q.
+  double rowBound(int i) const;
 
  private:
   std::vector<int> start_, column_;

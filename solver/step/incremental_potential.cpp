@@ -1,5 +1,6 @@
 #include "solver/step/incremental_potential.h"
 
+#include <cmath>
 #include <numeric>
 
 #include "solver/linear/parallel.h"
@@ -10,6 +11,7 @@ namespace {
 
 constexpr int kGrain = 512;
 constexpr int kContactBlock = 1024;  // samples
+constexpr double kRoundOff = 1e-12;  // of the potential and the motion
 
 std::span<const int> flat(const Triangles& triangles) {
   return {triangles.data(), static_cast<size_t>(triangles.size())};
@@ -57,6 +59,7 @@ void IncrementalPotential::begin(const State& start, const StepOptions& options)
     rest_revision_ = cloth_.restRevision();
     bending_.set(cloth_.hinges(), material.bending);
   }
+  bending_round_off_ = bending_.roundOff(start_);
   damping_stretch_ = material.damping_stretch / options.h;
   damping_shear_ = material.damping_shear / options.h;
   if (damping_stretch_ > 0.0 || damping_shear_ > 0.0) {
@@ -231,11 +234,7 @@ double IncrementalPotential::gradient(const Positions& x, Positions& gradient) {
     const double mass = inverse_h2 * cloth_.masses()[i];
     Vec3 sum = mass * ahead;
     partial_[i] = 0.5 * mass * ahead.squaredNorm();
-    if (!bending_.empty()) {
-      const Vec3 bending = bending_.row(i, x);
-      sum += bending;
-      partial_[i] += 0.5 * x.row(i).dot(bending);
-    }
+    if (!bending_.empty()) partial_[i] += bending_.addRow(i, x, sum);
     for (int k : triangle_corners_.of(i)) sum += corner_force_[k];
     if (damps_bending)
       for (int k : hinge_corners_.of(i)) sum += cloth_.hinges()[k / 4].stencil[k % 4] * hinge_force_[k / 4];
@@ -249,6 +248,10 @@ double IncrementalPotential::motion(const Positions& x) const {
   const double sum = parallelSum(cloth_.vertexCount(),
                                  [&](int i) { return cloth_.masses()[i] * (x.row(i) - start_.row(i)).squaredNorm(); });
   return sum / (options_.h * options_.h);
+}
+
+double IncrementalPotential::roundOff(const Positions& x, double energy) const {
+  return kRoundOff * (std::abs(energy) + motion(x)) + bending_round_off_;
 }
 
 double IncrementalPotential::totalMass() const {

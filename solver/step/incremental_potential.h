@@ -65,6 +65,12 @@ class IncrementalPotential {
   double motion(const Positions& x) const;
   double totalMass() const;  // kg
 
+  /// A difference of the potential between points near x, where it is `energy`, that means nothing, J.
+  double roundOff(const Positions& x, double energy) const;
+
+  /// Bounds bending by a diagonal, N/m.
+  double bendingBound(int vertex) const { return bending_.rowBound(vertex); }
+
   const Cloth& cloth() const { return cloth_; }
   const StepOptions& options() const { return options_; }
 
@@ -126,7 +132,8 @@ class IncrementalPotential {
   std::vector<FrameHessian> frame_hessian_;
   std::vector<Mat3> hinge_hessian_;
   std::vector<Vec3> hinge_force_;
-  std::vector<double> partial_;  // energies, summed in their order
+  double bending_round_off_ = 0.0;  // J
+  std::vector<double> partial_;     // energies, summed in their order
 };
 
 }  // namespace ease

@@ -10,7 +10,6 @@ namespace {
 
 constexpr int kMostHalvings = 20;
 constexpr double kSufficient = 1e-4;  // of the decrease that the slope promises
-constexpr double kRoundOff = 1e-12;   // of the potential and the motion: a difference that means nothing
 constexpr double kLeastSpeed = 1e-3;  // m/s: cloth that moves less than this is at rest
 
 }  // namespace
@@ -37,14 +36,14 @@ double relativeDecrement(const IncrementalPotential& potential, const Point& poi
 int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
                 const Positions& direction, Point& next) {
   const double slope = dot(point.gradient, direction);
-  const double scale_of_energy = std::abs(point.energy) + potential.motion(point.x);
+  const double round_off = potential.roundOff(point.x, point.energy);
   double scale = 1.0;
   for (int halvings = 0; halvings <= kMostHalvings; ++halvings, scale *= 0.5) {
     next.x = point.x + scale * direction;
     next.evaluate(potential, fixed);
     const double change = next.energy - point.energy;
     if (change <= kSufficient * scale * slope) return halvings;
-    const bool lost = std::abs(change) <= kRoundOff * scale_of_energy;
+    const bool lost = std::abs(change) <= round_off;
     if (lost && std::abs(dot(next.gradient, direction)) <= 0.9 * std::abs(slope)) return halvings;
   }
   return -1;

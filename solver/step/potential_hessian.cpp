@@ -86,7 +86,8 @@ void IncrementalPotential::addBending(const Positions& d, Positions& product) {
     parallelFor(static_cast<int>(hinge_force_.size()), kGrain,
                 [&](int e) { hinge_force_[e] = hinge_hessian_[e] * hingeVector(cloth_.hinges()[e], d); });
   parallelFor(cloth_.vertexCount(), kGrain, [&](int i) {
-    Vec3 sum = product.row(i).transpose() + bending_.row(i, d);
+    Vec3 sum = product.row(i);
+    bending_.addRow(i, d, sum);
     if (damps)
       for (int k : hinge_corners_.of(i)) sum += cloth_.hinges()[k / 4].stencil[k % 4] * hinge_force_[k / 4];
     product.row(i) = sum;

@@ -58,8 +58,10 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
   accelerated_ = accelerated;
   contact_ = contact_now_;
   diagonal_.resize(cloth.vertexCount());
-  for (int i = 0; i < cloth.vertexCount(); ++i)
+  for (int i = 0; i < cloth.vertexCount(); ++i) {
     diagonal_[i] = cloth.masses()[i] / (h * h) + (accelerated ? kContactAccelerated : 1.0) * contact_[i];
+    if (!accelerated) diagonal_[i] += potential.bendingBound(i);
+  }
   scaled_inverse_.resize(cloth.triangleCount());
   for (int t = 0; t < cloth.triangleCount(); ++t)
     scaled_inverse_[t] = cloth.restInverse()[t] * weights.cwiseSqrt().asDiagonal();
@@ -120,11 +122,6 @@ MinimiserSummary Projective::minimise(IncrementalPotential& potential, const std
       summary.converged = decrements_.back() <= stop.error;
       if (summary.converged || isHopeless(decrements_, stop)) break;
     }
-    if (!accelerated) {
-      point.x += direction_;
-      point.evaluate(potential, fixed);
-      continue;
-    }
     const int halvings = searchAlong(potential, fixed, point, direction_, next_);
     if (halvings < 0) {
       if (pair_count_ == 0) break;
@@ -132,7 +129,7 @@ MinimiserSummary Projective::minimise(IncrementalPotential& potential, const std
       continue;
     }
     summary.halvings += halvings;
-    remember(point, next_);
+    if (accelerated) remember(point, next_);
     std::swap(point, next_);
   }
   return summary;

@@ -1,6 +1,7 @@
 #include "solver/step/time_step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "solver/mesh/error.h"
@@ -112,6 +113,7 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
     liftOut(point_.x);
     found_at_ = point_.x;
     point_.evaluate(potential_, fixed_);
+    if (!std::isfinite(point_.energy)) throw ComputationError("the potential is not finite");
     minimise(summary);
     stale = !contacts_.planes.empty() && (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStale * kStale;
   }

@@ -29,29 +29,47 @@ std::pair<Scene, SceneInput> lifted(double rise, double offset) {
 
 TEST_CASE("a time step is divided so that the body moves by half the offset at most in a part") {
   for (const auto& [rise, offset, expected] : std::vector<std::tuple<double, double, int>>{
-           {0.0, 0.005, 1}, {0.099, 0.005, 1}, {0.29, 0.005, 3}, {0.29, 0.02, 1}, {0.29, 0.0, 3}, {100.0, 0.005, 64}}) {
+           {0.0, 0.005, 1}, {0.099, 0.005, 1}, {0.29, 0.005, 3}, {0.29, 0.02, 1}, {0.29, 0.0, 3}}) {
     const auto [scene, input] = lifted(rise, offset);
-    CHECK(substepsFor(scene, input) == expected);
+    CHECK(divisionFor(scene, input).time_steps == expected);
+    CHECK(divisionFor(scene, input).interpolation_steps == 1);
   }
+}
+
+TEST_CASE("an interpolation step is divided so that a level set reaches to the next, with whole time steps between") {
+  const auto [scene, input] = lifted(0.7, 0.005);  // 7 cm an interpolation step of 4 time steps
+  const Division division = divisionFor(scene, input);
+  CHECK(division.interpolation_steps == 3);
+  CHECK(division.time_steps == 9);  // 7 would do for contact
+  const Scene fine = divided(scene, division);
+  CHECK(fine.body->steps == 30);
+  CHECK(fine.solver.steps_per_pose == 12);
+  CHECK(timeStepsOfMotion(fine) == 9 * timeStepsOfMotion(scene));
+}
+
+TEST_CASE("a body that jumps too far in a time step is refused") {
+  const auto [scene, input] = lifted(100.0, 0.005);
+  CHECK_THROWS_WITH(divisionFor(scene, input),
+                    Catch::Contains("[body] steps = 10: the body moves 2.5 m in a time step of 0.0025 s"));
 }
 
 TEST_CASE("a body that does not move divides nothing") {
   auto [scene, input] = lifted(0.3, 0.005);
   input.poses.resize(1);
-  CHECK(substepsFor(scene, input) == 1);
+  CHECK(divisionFor(scene, input).time_steps == 1);
   input.poses.clear();
-  CHECK(substepsFor(scene, input) == 1);
+  CHECK(divisionFor(scene, input).time_steps == 1);
 }
 
 TEST_CASE("a divided scene has the same motion, and is adapted and written at the same times") {
   const auto [scene, input] = lifted(0.3, 0.005);
-  const std::vector<Moment> whole = timeline(scene, true), parts = timeline(divided(scene, 3), true);
+  const std::vector<Moment> whole = timeline(scene, true), parts = timeline(divided(scene, Division{3, 2}), true);
   REQUIRE(whole.size() == 40);
   REQUIRE(parts.size() == 120);
   for (size_t k = 0; k < whole.size(); ++k) {
     const Moment &a = whole[k], &b = parts[3 * k + 2];
     CHECK(b.time_s == Approx(a.time_s));
-    CHECK(b.body == Approx(a.body));
+    CHECK(b.body == Approx(2.0 * a.body));
     CHECK(b.pose == a.pose);
     CHECK(b.adapts == a.adapts);
     CHECK(b.written == a.written);

@@ -1,0 +1,182 @@
+// Scenes of cloth and a moving body in which methods are known to fail, through the whole run: interpolated poses,
+// level sets, contacts, steps.
+#include <catch2/catch.hpp>
+
+#include "adaption/clip.h"
+#include "apps/run.h"
+#include "tests/collision/bodies.h"
+#include "tests/sheet.h"
+
+using namespace ease;
+
+namespace {
+
+/// A tube around the y axis, open at both ends.
+TriangleMesh makeTube(double radius, double low, double high, int around, int rows) {
+  TriangleMesh tube = makeSheet(around, rows, 1.0, high - low);
+  Positions rolled((rows + 1) * around, 3);
+  const auto vertex = [&](int flat) { return flat / (around + 1) * around + flat % (around + 1) % around; };
+  for (int v = 0; v < tube.positions.rows(); ++v) {
+    const double turn = 2.0 * std::numbers::pi * (v % (around + 1)) / around;
+    rolled.row(vertex(v)) << radius * std::sin(turn), low + tube.positions(v, 1), radius * std::cos(turn);
+  }
+  tube.positions = rolled;
+  for (int k = 0; k < tube.triangles.size(); ++k) tube.triangles.data()[k] = vertex(tube.triangles.data()[k]);
+  return tube;
+}
+
+/// A run of a garment on poses that are given as meshes, not files.
+struct Trial {
+  Scene scene;
+  SceneInput input;
+  State state;
+  PassRecord record;
+  std::optional<Cloth> cloth;
+
+  Trial(const TriangleMesh& garment, const std::vector<TriangleMesh>& poses, const std::string& method) {
+    input.garment = garment;
+    input.body_triangles = poses.front().triangles;
+    scene.body.emplace();
+    for (const TriangleMesh& pose : poses) {
+      input.poses.push_back(pose.positions);
+      scene.body->poses.push_back("pose");
+    }
+    scene.body->steps = 10;
+    scene.solver.method = method;
+    scene.material.stretch_warp = scene.material.stretch_weft = 500.0;
+    scene.material.shear = 100.0;
+    scene.material.bending = 1e-6;
+  }
+
+  void run() {
+    cloth.emplace(input.garment, scene.garment.grain, scene.material);
+    MovingBody body = movingBody(scene, input);
+    RunOptions options;
+    const std::vector<double> areas = cloth->restAreas();
+    options.first_areas = &areas;
+    runMotion(scene, input, &body, *cloth, options, state, record);
+    REQUIRE(state.positions.allFinite());
+  }
+
+  double deepestVertex() const { return record.penetration.vertices; }  // m
+
+  /// How much longer than at first the longest edge has become.
+  double largestGrowth() const {
+    double most = 0.0;
+    for (const Edge& edge : cloth->topology().edges) {
+      const auto length = [&](const Positions& x) { return (x.row(edge.vertex[0]) - x.row(edge.vertex[1])).norm(); };
+      most = std::max(most, length(cloth->restPositions()) / length(input.garment.positions));
+    }
+    return most;
+  }
+};
+
+std::string anyMethod() {
+  return GENERATE("bw1", "newton", "pd-lbfgs", "auto");
+}
+
+}  // namespace
+
+TEST_CASE("a ball that flies into hanging cloth takes it along, at 1, 10 and 100 m/s") {
+  const double speed = GENERATE(1.0, 10.0, 100.0);
+  TriangleMesh sheet = makeSheet(10, 10, 0.3, 0.3);
+  sheet.positions.col(0).array() -= 0.15;
+  sheet.positions.col(1).array() -= 0.15;
+  const TriangleMesh ball = bodies::moved(bodies::sphere(0.08, 8), Vec3(0.0, 0.0, -0.09));
+  // A flight of 0.25 m.
+  Trial trial(sheet, {ball, bodies::moved(ball, Vec3(0.0, 0.0, 0.25))}, anyMethod());
+  trial.scene.solver.steps_per_pose = 1;
+  trial.scene.body->steps = std::max(1, static_cast<int>(0.25 / (speed * trial.scene.solver.time_step)));
+  trial.run();
+  CHECK(trial.deepestVertex() <= 1e-4);
+  CHECK(trial.state.positions.rowwise().norm().maxCoeff() < 1.0);
+  CHECK(trial.state.positions.col(2).maxCoeff() > 0.2);  // the ball's front is at 0.24 m: the cloth is on it
+}
+
+TEST_CASE("a limb a voxel thick keeps its sleeve") {
+  const TriangleMesh limb = bodies::capsule(0.15, 0.005, 4);
+  Trial trial(makeTube(0.012, -0.05, 0.05, 12, 12), {limb, bodies::moved(limb, Vec3(0.1, 0.0, 0.0))}, anyMethod());
+  trial.scene.solver.gravity.setZero();
+  trial.run();
+  CHECK(trial.deepestVertex() <= 1e-4);
+  CHECK(std::abs(trial.state.positions.col(0).mean() - 0.1) < 0.01);
+}
+
+TEST_CASE("a limb through a limb leaves the cloth finite and near") {
+  const TriangleMesh arm = bodies::capsule(0.15, 0.04, 6);
+  const TriangleMesh apart = bodies::joined(arm, bodies::moved(arm, Vec3(0.2, 0.0, 0.0)));
+  const TriangleMesh crossed = bodies::joined(arm, bodies::moved(arm, Vec3(0.03, 0.0, 0.0)));
+  Trial trial(makeTube(0.05, -0.1, 0.1, 20, 12), {apart, crossed, apart}, anyMethod());
+  trial.run();
+  CHECK(trial.record.contact.held + trial.record.contact.limited > 0);
+  CHECK(trial.state.velocities.rowwise().norm().maxCoeff() < 30.0);
+}
+
+TEST_CASE("cloth between two limbs that close on it stays between them") {
+  const TriangleMesh limb = bodies::capsule(0.15, 0.04, 6);
+  const auto pair = [&](double half) {
+    return bodies::joined(bodies::moved(limb, Vec3(-half, 0.0, 0.0)), bodies::moved(limb, Vec3(half, 0.0, 0.0)));
+  };
+  TriangleMesh sheet = makeSheet(8, 8, 0.1, 0.1);
+  sheet.positions.col(2) = sheet.positions.col(0).array() - 0.05;  // on the medial plane
+  sheet.positions.col(1).array() -= 0.05;
+  sheet.positions.col(0).setZero();
+  Trial trial(sheet, {pair(0.055), pair(0.0405)}, anyMethod());
+  trial.scene.solver.gravity.setZero();
+  trial.run();
+  CHECK(trial.deepestVertex() <= 1e-4);
+  CHECK(trial.state.positions.col(0).cwiseAbs().maxCoeff() < 0.04);
+}
+
+TEST_CASE("a pose that jumps beyond the level set's band is divided, and takes its sleeve along") {
+  const TriangleMesh limb = bodies::capsule(0.15, 0.04, 6);
+  Trial trial(makeTube(0.05, -0.05, 0.05, 20, 8), {limb, bodies::moved(limb, Vec3(0.2, 0.0, 0.0))}, anyMethod());
+  trial.scene.body->steps = 1;
+  trial.scene.solver.steps_per_pose = 1;
+  trial.run();
+  CHECK(trial.record.division.time_steps >= 80);
+  CHECK(trial.deepestVertex() <= 1e-4);
+}
+
+TEST_CASE("a strip that hangs by its own weight beyond the limit stops growing, and is counted") {
+  const TriangleMesh far_away = bodies::moved(bodies::sphere(0.05, 4), Vec3(5.0, 0.0, 0.0));
+  Trial trial(makeSheet(4, 12, 0.05, 0.3), {far_away, far_away}, anyMethod());
+  trial.scene.material.stretch_warp = trial.scene.material.stretch_weft =
+      2.0;  // N/m: 0.15 kg/m^2 stretch it by a fifth
+  trial.scene.material.shear = 1.0;
+  trial.input.pins = {{60, 61, 62, 63, 64}};
+  trial.scene.garment.pins.emplace_back();
+  trial.scene.garment.pins.back().to_body = false;
+  trial.scene.adaption.emplace();
+  trial.scene.adaption->limit = 0.05;
+  trial.scene.adaption->every = 2;
+  trial.scene.adaption->settle = 1000;
+  trial.run();
+  CHECK(trial.record.fully_grown > 0);
+  CHECK(trial.largestGrowth() < 1.3 * kMostGrowth);
+}
+
+TEST_CASE("two poses in turn, time and again, let a sleeve out once") {
+  const TriangleMesh thin = bodies::capsule(0.15, 0.04, 6);
+  TriangleMesh thick = thin;
+  thick.positions.col(0) *= 1.25;
+  thick.positions.col(2) *= 1.25;
+  const auto growthAfter = [&](int cycles) {
+    Trial trial(makeTube(0.046, -0.05, 0.05, 20, 8), {thin, thick}, "auto");
+    trial.scene.solver.gravity.setZero();
+    trial.input.pins = {{80, 90}};  // or the sleeve slips off
+    trial.scene.garment.pins.emplace_back();
+    trial.scene.adaption.emplace();
+    trial.scene.adaption->limit = 0.05;
+    trial.scene.adaption->every = 4;
+    trial.scene.adaption->cycles = cycles;
+    trial.scene.body->steps = 6;
+    trial.scene.solver.steps_per_pose = 2;
+    trial.run();
+    return trial.largestGrowth();
+  };
+  const double some = growthAfter(50), many = growthAfter(100);
+  CHECK(some > 1.1);
+  CHECK(many < some + 0.002);
+  CHECK(many < 1.2);
+}
