@@ -1,0 +1,66 @@
+// Small damages to a file's bytes, the same for the same random numbers: what a slip of the keyboard, a full disk, a
+// wrong program or malice make of an input.
+#pragma once
+
+#include <cctype>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace ease {
+
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  /// One or two damages.
+  std::string damaged(std::string bytes) {
+    for (int count = upTo(2) + 1; count > 0; --count) damage(bytes);
+    return bytes;
+  }
+
+ private:
+  int upTo(size_t end) { return static_cast<int>(random_() % std::max<size_t>(end, 1)); }
+
+  void damage(std::string& bytes) {
+    static const std::vector<std::string> numbers = {
+        "0",   "-1",         "1e308", "-1e308", "nan", "inf", "1e-320", "99999999999999999999",
+        "0.5", "2147483648", "1",     "''",     "[]"};
+    static const std::vector<std::string> tokens = {
+        "[",        "]",           "=", "\"", "'", "\n", "{", "}", "#", ",", "[[garment.pin]]\n", std::string(1, '\0'),
+        "\xff\xfe", "steps = 3\n", "<", "/>", "&"};
+    const size_t at = upTo(bytes.size()), length = 1 + upTo(12);
+    switch (upTo(8)) {
+      case 0:
+        bytes.erase(at, length);
+        break;
+      case 1:
+        bytes.resize(at);
+        break;
+      case 2:
+        bytes.insert(at, bytes.substr(upTo(bytes.size()), length));
+        break;
+      case 3:
+        bytes.insert(at, tokens[upTo(tokens.size())]);
+        break;
+      case 4:
+        if (!bytes.empty()) bytes[at] = static_cast<char>(random_());
+        break;
+      default:
+        replaceNumber(bytes, at, numbers[upTo(numbers.size())]);
+    }
+  }
+
+  /// The first number from `at` on.
+  static void replaceNumber(std::string& bytes, size_t at, const std::string& by) {
+    const auto isDigit = [&](size_t k) { return std::isdigit(static_cast<unsigned char>(bytes[k])) != 0; };
+    while (at < bytes.size() && !isDigit(at)) ++at;
+    size_t end = at;
+    while (end < bytes.size() && (isDigit(end) || bytes[end] == '.')) ++end;
+    bytes.replace(at, end - at, by);
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace ease
