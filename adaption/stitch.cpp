@@ -12,7 +12,8 @@ namespace ease {
 namespace {
 
 constexpr int kIterations = 10;
-constexpr double kNearness = 1e-3;  // of a vertex's part of the matrix: what does not grow stays where it is
+constexpr int kRescaleIterations = 100;  // done once, and from further away
+constexpr double kNearness = 1e-3;       // of a vertex's part of the matrix: what does not grow stays where it is
 
 // The smallest edges that are as long as `wanted` and as `growth` times the present `edges`, in every direction.
 Mat2 atLeastBoth(const Mat2& wanted, const Mat2& growth, const Mat2& edges) {
@@ -50,10 +51,20 @@ Stitcher::Stitcher(const Cloth& cloth, std::span<const int> ordering)
 }
 
 void Stitcher::stitch(Cloth& cloth, const std::vector<Mat2>& growth) {
+  parallelFor(cloth.triangleCount(), 512,
+              [&](int t) { wanted_[t] = atLeastBoth(wanted_[t], growth[t], cloth.restEdges()[t]); });
+  fitWanted(cloth, kIterations);
+}
+
+void Stitcher::rescale(Cloth& cloth, const std::vector<double>& scales) {
+  for (int t = 0; t < cloth.triangleCount(); ++t) wanted_[t] = scales[t] * cloth.restEdges()[t];
+  fitWanted(cloth, kRescaleIterations);
+}
+
+void Stitcher::fitWanted(Cloth& cloth, int iterations) {
   const int m = cloth.triangleCount();
   anchors_ = x_ = cloth.restPositions();
-  parallelFor(m, 512, [&](int t) { wanted_[t] = atLeastBoth(wanted_[t], growth[t], cloth.restEdges()[t]); });
-  for (int k = 0; k < kIterations; ++k) {
+  for (int k = 0; k < iterations; ++k) {
     parallelFor(m, 512, [&](int t) {
       const Mat32 R = nearestRotation(edgeMatrix(x_, cloth.triangles(), t) * wanted_[t].inverse());
       targets_[t] = R * wanted_[t] * reference_inverse_[t];

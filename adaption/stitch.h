@@ -28,7 +28,12 @@ class Stitcher {
   /// Gives the cloth the rest shape nearest to its triangles grown by `growth` (2x2 each; identity: as it was).
   void stitch(Cloth& cloth, const std::vector<Mat2>& growth);
 
+  /// Gives the cloth the rest shape nearest to its triangles scaled by these factors, above or below 1.
+  void rescale(Cloth& cloth, const std::vector<double>& scales);
+
  private:
+  void fitWanted(Cloth& cloth, int iterations);
+
   GradientSystem system_;
   std::vector<Mat2> reference_inverse_;  // D^-1 of the first rest shape, by which gradients are taken
   std::vector<Mat2> wanted_, rest_edges_;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "adaption/clip.h"
+#include "adaption/stitch.h"
 #include "apps/frames.h"
 #include "apps/progress.h"
 #include "apps/report.h"
@@ -88,6 +89,8 @@ class Job {
 
   void setUp() {
     cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
+    if (!input_.paint.empty())
+      Stitcher(*cloth_, systemOrdering(cloth_->vertexCount(), cloth_->triangles())).rescale(*cloth_, input_.paint);
     first_positions_ = cloth_->restPositions();
     first_edges_ = cloth_->restEdges();
     first_inverse_ = cloth_->restInverse();

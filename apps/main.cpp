@@ -1,4 +1,4 @@
-// The command line: `ease run SCENE`, `ease check SCENE`.
+// The command line: `ease run SCENE`, `ease garment SCENE`, `ease check SCENE`.
 //
 // Exit codes: 0 done, 1 wrong input, 2 the computation failed, 130 interrupted.
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include <fstream>
 #include <new>
 
+#include "apps/garment_files.h"
 #include "apps/job.h"
 #include "apps/scene.h"
 #include "apps/timeline.h"
@@ -42,6 +43,11 @@ Examples:
 Open garment.pvd, body.pvd and rest.pvd of the results in ParaView; report.json has the figures.
 Ctrl-C ends a run early and leaves what is written whole; once more, it ends at once.)";
 
+constexpr const char* kGarmentExamples = R"(
+Examples:
+  ease garment scenes/tunic.toml                 garment.obj, garment.vtp, garment.json, garment.png in results/tunic
+  ease garment scenes/tunic.toml --pieces        cut along its seams as well)";
+
 constexpr const char* kCheckExamples = R"(
 Example:
   ease check scenes/t-shirt.toml)";
@@ -50,6 +56,7 @@ struct Arguments {
   std::string scene;
   std::string directory;  // empty: results/<name>
   int threads = -1;       // -1: as the scene says
+  bool pieces = false;    // of `ease garment`
 };
 
 std::atomic<bool> interrupted = false;
@@ -124,11 +131,29 @@ ExitCode checkCommand(const Arguments& arguments) {
   return kDone;
 }
 
+fs::path directoryOf(const Arguments& arguments, const Scene& scene) {
+  return arguments.directory.empty() ? fs::path("results") / scene.name : fs::path(arguments.directory);
+}
+
+ExitCode garmentCommand(const Arguments& arguments) {
+  const Scene scene = readScene(arguments.scene);
+  if (!scene.garment.tools)
+    throw InputError(fmt::format("{}: [garment] has no [[garment.boundary]]: expected the tools that make a garment",
+                                 arguments.scene));
+  const SceneInput input = readWithWarnings(scene);
+  if (interrupted) return interruptedBeforeWriting();
+  const fs::path directory = directoryOf(arguments, scene);
+  prepareDirectory(directory);
+  fmt::print("{}", writeGarment(scene, input, directory));
+  if (arguments.pieces) fmt::print("{}", writePieces(input, directory));
+  fmt::print("results   {}\n", directory.string());
+  return kDone;
+}
+
 ExitCode runCommand(const Arguments& arguments) {
   Scene scene = readScene(arguments.scene);
   if (arguments.threads >= 0) scene.solver.threads = arguments.threads;
-  const fs::path directory =
-      arguments.directory.empty() ? fs::path("results") / scene.name : fs::path(arguments.directory);
+  const fs::path directory = directoryOf(arguments, scene);
 
   // An arena of our own: the implicit one takes its size at first use, whatever is asked for later.
   const int threads = scene.solver.threads;
@@ -138,6 +163,7 @@ ExitCode runCommand(const Arguments& arguments) {
     divisionFor(scene, input);  // refuses what cannot be simulated
     if (interrupted) return interruptedBeforeWriting();
     prepareDirectory(directory);
+    if (input.authored) writeGarment(scene, input, directory);
     try {
       if (runScene(scene, input, directory, interrupted)) return kDone;
     } catch (const ComputationError& error) {
@@ -188,6 +214,12 @@ ExitCode commandLine(int argc, char** argv) {
   check->add_option("SCENE", arguments.scene, "Scene file, TOML")->required();
   check->footer(kCheckExamples);
 
+  CLI::App* garment = app.add_subcommand("garment", "Make the garment with the scene's tools; write it and a picture");
+  garment->add_option("SCENE", arguments.scene, "Scene file, TOML")->required();
+  garment->add_option("-o,--output", arguments.directory, "Directory for the files; by default results/<scene's name>");
+  garment->add_flag("--pieces", arguments.pieces, "Cut it along its seams as well: pieces.obj, .vtp, .json");
+  garment->footer(kGarmentExamples);
+
   app.require_subcommand(0, 1);
   app.allow_extras();  // an unknown command is named below; CLI11 would only say that one is missing
   try {
@@ -197,14 +229,15 @@ ExitCode commandLine(int argc, char** argv) {
     return wrongUsage(error.what());
   }
   if (!app.remaining().empty()) {
-    const std::string word = app.remaining().front(), nearest = nearestWord(word, {"run", "check"});
-    const char* kind = word.front() == '-' ? "option" : run->parsed() || check->parsed() ? "argument" : "command";
+    const std::string word = app.remaining().front(), nearest = nearestWord(word, {"run", "check", "garment"});
+    const char* kind = word.front() == '-' ? "option" : !app.get_subcommands().empty() ? "argument" : "command";
     return wrongUsage(fmt::format("unknown {} '{}'{}", kind, word,
                                   nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest)));
   }
   if (run->parsed()) return guarded([&] { return runCommand(arguments); });
   if (check->parsed()) return guarded([&] { return checkCommand(arguments); });
-  return wrongUsage("no command: expected 'run' or 'check'");
+  if (garment->parsed()) return guarded([&] { return garmentCommand(arguments); });
+  return wrongUsage("no command: expected 'run', 'garment' or 'check'");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/task_group.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -17,8 +18,9 @@ namespace ease {
 
 namespace {
 
-constexpr double kRecoverySpeed = 4.0;  // m/s: at most, of cloth that got too near to the body, beside the body's own
-constexpr double kLeastWay = 1e-3;      // m: of cloth that the body meets, however small the offset
+constexpr double kRecoverySpeed = 4.0;    // m/s: at most, of cloth that got too near to the body, beside the body's own
+constexpr double kBeyondComfort = 0.025;  // m: level sets are exact this far beyond the largest comfort offset
+constexpr double kLeastWay = 1e-3;        // m: of cloth that the body meets, however small the offset
 
 /// Adds the wall time of its scope.
 class Stopwatch {
@@ -108,6 +110,7 @@ class Run {
     pins_.vertices = body_pinned_;
     pins_.vertices.insert(pins_.vertices.end(), fixed_.begin(), fixed_.end());
     if (body_) {
+      sampleOffsets(input_.offsets, cloth_.triangles(), cloth_.topology().edges, sample_offsets_);
       sampleCloth(state_.positions, cloth_.triangles(), cloth_.topology().edges, samples_);
       for (int k = 0; k <= first_level_set; ++k) body_->prepare(k, samples_);
       body_pins_ = std::make_unique<BodyPins>(body_pinned_, state_.positions, input_.poses.front(), body_->triangles());
@@ -159,7 +162,7 @@ class Run {
   void findContacts(const Moment& moment, const Positions& x, Contacts& contacts) {
     if (!body_) return;
     sampleCloth(x, cloth_.triangles(), cloth_.topology().edges, samples_);
-    contacts_.find(body_->at(moment.body), samples_, scene_.collision.offset, most_recovery_, contacts);
+    contacts_.find(body_->at(moment.body), samples_, sample_offsets_, most_recovery_, contacts);
   }
 
   void measure(const Moment& moment) {
@@ -193,7 +196,7 @@ class Run {
     gap_.clear();
     if (body_) {
       gap_.assign(distances_.begin(), distances_.begin() + vertex_count_);
-      for (double& gap : gap_) gap -= scene_.collision.offset;
+      for (int v = 0; v < vertex_count_; ++v) gap_[v] -= input_.offsets[v];
       step_.potential().contactPressure(state_.positions, pressure_);
       Frame body_frame;
       body_->positions(moment.body, body_frame.positions);
@@ -225,7 +228,7 @@ class Run {
   std::unique_ptr<BodyPins> body_pins_;
   Pins pins_;
   std::vector<Vec3> samples_, expected_samples_;
-  std::vector<double> distances_, gap_, pressure_;
+  std::vector<double> sample_offsets_, distances_, gap_, pressure_;
   std::vector<Stretch> stretch_;
   std::vector<Mat2> growth_;
 };
@@ -246,8 +249,9 @@ void SeriesOfRun::finish() {
 
 MovingBody movingBody(const Scene& scene, const SceneInput& input) {
   const Scene fine = divided(scene, divisionFor(scene, input));
+  const double largest_offset = *std::max_element(input.offsets.begin(), input.offsets.end());
   return MovingBody(input.body_triangles, input.poses, fine.body->steps,
-                    LevelSetOptions{scene.collision.voxel, std::max(0.03, 3.0 * scene.collision.offset)});
+                    LevelSetOptions{scene.collision.voxel, kBeyondComfort + largest_offset});
 }
 
 void runMotion(const Scene& scene, const SceneInput& input, MovingBody* body, Cloth& cloth, const RunOptions& options,

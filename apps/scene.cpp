@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "apps/scene_tools.h"
 #include "apps/toml_table.h"
 #include "apps/words.h"
 #include "collision/mannequin.h"
@@ -14,14 +15,6 @@ namespace {
 
 // A motion longer than this is a slip of a key, not a scene: at 100 steps/s it would take a day.
 constexpr double kMostTimeSteps = 1e7;
-
-Vec3 readVec3(const TomlTable& table, std::string_view key, const Vec3& fallback, double most, const char* unit) {
-  const Range range{-most, most, false, unit};
-  const std::vector<double> values = table.numbers(key, range);
-  if (values.empty()) return fallback;
-  if (values.size() != 3) table.refuse(key, fmt::format("3 numbers, x, y and z, found {}", values.size()));
-  return {values[0], values[1], values[2]};
-}
 
 BodyScene readBody(const TomlTable& table) {
   table.allow({"poses", "builtin", "steps", "match"});
@@ -43,17 +36,21 @@ BodyScene readBody(const TomlTable& table) {
 }
 
 PinScene readPin(const TomlTable& table, bool has_body) {
-  table.allow({"loop", "vertices", "to"});
-  if (table.has("loop") && table.has("vertices")) table.refuse("vertices", "either loop or vertices, not both");
+  table.allow({"loop", "vertices", "at", "radius", "to"});
+  for (const char* key : {"vertices", "at"})
+    if (table.has("loop") && table.has(key)) table.refuse(key, fmt::format("either loop or {}, not both", key));
+  if (table.has("vertices") && table.has("at")) table.refuse("at", "either vertices or at, not both");
   PinScene pin;
-  if (table.has("vertices")) {
+  if (table.has("at")) {
+    pin.what = readBall(table);
+  } else if (table.has("vertices")) {
     pin.what = table.integers("vertices", 0, 1000000000);
   } else if (table.isText("loop")) {
     pin.what = table.text("loop", "");
   } else if (table.has("loop")) {
     pin.what = std::to_string(table.integer("loop", 0, 0, 1000000));
   } else {
-    table.refuse("loop", "a loop, e.g. loop = 'top', or vertices");
+    table.refuse("loop", "a loop, e.g. loop = 'top', or vertices, or at and radius");
   }
   pin.to_body = table.choice("to", has_body ? "body" : "fixed", {"body", "fixed"}) == "body";
   if (pin.to_body && !has_body) table.refuse("to", "'fixed', since the scene has no [body]");
@@ -61,17 +58,21 @@ PinScene readPin(const TomlTable& table, bool has_body) {
 }
 
 GarmentScene readGarment(const TomlTable& table, const std::optional<BodyScene>& body) {
-  table.allow({"mesh", "builtin", "vertices", "grain", "pin"});
+  table.allow({"mesh", "builtin", "vertices", "grain", "pin", "resolution", "edge_length", "smoothing", "boundary",
+               "region", "extension", "paint", "comfort", "seam"});
   GarmentScene garment;
   garment.mesh = table.text("mesh", garment.mesh);
   garment.builtin = table.choice("builtin", garment.builtin, {"t-shirt", "dress"});
   const bool built_in = !garment.builtin.empty();
   if (built_in && !garment.mesh.empty()) table.refuse("builtin", "either mesh or builtin, not both");
-  if (!built_in && garment.mesh.empty()) table.refuse("mesh", "a mesh file, or builtin = 't-shirt' on the mannequin");
+  readGarmentTools(table, body.has_value(), garment);
+  if (!built_in && garment.mesh.empty() && !garment.tools)
+    table.refuse("mesh", "a mesh file, or builtin = 't-shirt' on the mannequin, or [[garment.boundary]] loops");
   if (built_in && !(body && body->builtin == "mannequin"))
     table.refuse("builtin", "[body] builtin = 'mannequin', since built-in garments are made on it");
   if (built_in && body->poses.front() != "t")
     table.refuse("builtin", "[body] poses to begin with 't', since built-in garments are made on that pose");
+  if (garment.tools && table.has("vertices")) table.refuse("vertices", "resolution, since the garment has boundaries");
   if (!built_in && table.has("vertices")) table.refuse("vertices", "builtin: a mesh has the vertices that it has");
   garment.vertices = table.integer("vertices", garment.vertices, 100, 200000);
 
@@ -152,8 +153,10 @@ SolverScene readSolver(const TomlTable& table, bool has_body) {
   return solver;
 }
 
-CollisionScene readCollision(const TomlTable& table) {
+CollisionScene readCollision(const TomlTable& table, const GarmentScene& garment) {
   table.allow({"offset", "voxel", "stiffness"});
+  if (garment.comfort_offset && table.has("offset"))
+    table.refuse("offset", "either this or [garment.comfort] offset, not both");
   CollisionScene collision;
   collision.offset = table.number("offset", collision.offset, {0.0, 0.1, false, "m"});
   collision.voxel = table.number("voxel", collision.voxel, {0.0005, 0.1, false, "m"});
@@ -219,7 +222,8 @@ Scene readScene(const std::filesystem::path& file) {
     root.refuse("solver", "a table [solver] with steps, since the scene has no [body]");
   if (const auto collision = root.table("collision")) {
     if (!scene.body) root.refuse("collision", "a [body] to collide with, or no such table");
-    scene.collision = readCollision(*collision);
+    scene.collision = readCollision(*collision, scene.garment);
+    if (scene.garment.comfort_offset) scene.collision.offset = *scene.garment.comfort_offset;
   }
   if (const auto adaption = root.table("adaption")) scene.adaption = readAdaption(*adaption);
   if (const auto output = root.table("output")) scene.output = readOutput(*output);

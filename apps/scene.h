@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "garment/authoring.h"
 #include "solver/mesh/triangle_mesh.h"
 #include "solver/model/material.h"
 
@@ -20,15 +21,19 @@ struct BodyScene {
 };
 
 struct PinScene {
-  std::variant<std::string, std::vector<int>> what;  // loop (see findLoop), or vertices
-  bool to_body = true;                               // to = "body" | "fixed"; by default to the body if there is one
+  std::variant<std::string, std::vector<int>, Brush> what;  // loop, or vertices, or those in a ball
+  bool to_body = true;  // to = "body" | "fixed"; by default to the body if there is one
 };
 
 struct GarmentScene {
-  std::string mesh;               // file relative to the scene file, or empty: built in
-  std::string builtin;            // "t-shirt", "dress"
-  int vertices = 3000;            // of the built-in garment
-  Vec3 grain = {0.0, -1.0, 0.0};  // warp direction
+  std::string mesh;                      // file relative to the scene file, or empty: built in
+  std::string builtin;                   // "t-shirt", "dress"
+  int vertices = 3000;                   // of the built-in garment
+  std::optional<GarmentTools> tools;     // the garment is made on the first pose; otherwise mesh or builtin
+  std::vector<Brush> paint;              // scale factors of the rest shape
+  std::optional<double> comfort_offset;  // m; stands in CollisionScene too
+  std::vector<Brush> comfort_regions;    // offsets, m
+  Vec3 grain = {0.0, -1.0, 0.0};         // warp direction
   std::vector<PinScene> pins;
 };
 
@@ -88,7 +93,10 @@ struct SceneInput {
   std::vector<std::string> pose_names;
   std::vector<Positions> poses;        // same order as pose_names
   std::vector<std::vector<int>> pins;  // vertices of each [[garment.pin]]
-  std::vector<std::string> warnings;   // one line each
+  std::optional<AuthoredGarment> authored;
+  std::vector<double> offsets;        // comfort at every vertex of the garment, m
+  std::vector<double> paint;          // scale factor of every triangle's rest shape; empty: none is painted
+  std::vector<std::string> warnings;  // one line each
 };
 
 /// Reads meshes and checks all that a run relies on; computes nothing else.  Throws InputError.

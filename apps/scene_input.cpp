@@ -9,9 +9,12 @@
 #include <set>
 
 #include "apps/scene.h"
+#include "apps/words.h"
 #include "collision/mannequin.h"
 #include "collision/triangle_tree.h"
 #include "garment/builtin_garment.h"
+#include "garment/comfort.h"
+#include "garment/paint.h"
 #include "solver/mesh/error.h"
 #include "solver/mesh/mesh_checks.h"
 #include "solver/mesh/mesh_io.h"
@@ -113,6 +116,46 @@ void makeBuiltinPoses(const Scene& scene, SceneInput& input) {
   }
 }
 
+void readPoses(const Scene& scene, SceneInput& input) {
+  if (scene.body->builtin.empty()) {
+    readFilePoses(scene, input);
+  } else {
+    makeBuiltinPoses(scene, input);
+  }
+}
+
+/// Reads or makes the garment; returns what to call it in messages.
+std::string readGarment(const Scene& scene, SceneInput& input) {
+  const GarmentScene& garment = scene.garment;
+  if (garment.tools) {
+    try {
+      input.authored = authorGarment({input.poses.front(), input.body_triangles}, *garment.tools,
+                                     {scene.collision.offset, garment.comfort_regions});
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: [garment] {}", scene.file.string(), error.what()));
+    }
+    input.garment = input.authored->garment.mesh;
+    input.offsets = input.authored->offsets;
+    return "garment";
+  }
+  if (!garment.builtin.empty()) {
+    input.garment = builtinGarment(garment.builtin, garment.vertices, scene.collision.offset);
+    return garment.builtin;
+  }
+  const std::filesystem::path file = besideScene(scene, garment.mesh);
+  input.garment = readNamedMesh(scene, "[garment] mesh", garment.mesh);
+  return file.string();
+}
+
+void paint(const Scene& scene, SceneInput& input) {
+  if (scene.garment.paint.empty()) return;
+  try {
+    input.paint = paintedScales(input.garment, scene.garment.paint);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: [garment] {}", scene.file.string(), error.what()));
+  }
+}
+
 /// Warp is the grain projected into each triangle; a triangle square to the grain would have none.
 void checkGrain(const TriangleMesh& garment, const Vec3& grain, const std::string& name) {
   for (int t = 0; t < garment.triangles.rows(); ++t) {
@@ -166,20 +209,44 @@ void checkStart(const SceneInput& input, const std::string& garment_name) {
                     garment_name, distanceBetween(positions, body), pose, kFarthestGarment));
 }
 
-std::vector<std::vector<int>> resolvePins(const Scene& scene, const TriangleMesh& garment, const Topology& topology,
+/// A loop by the name that it was authored with, or by where it lies.
+std::vector<int> loopNamed(const std::string& name, const SceneInput& input, const Topology& topology) {
+  if (!input.authored) return findLoop(topology, input.garment.positions, name);
+  std::vector<std::string> names;
+  for (const NamedLoop& loop : input.authored->garment.loops) {
+    if (loop.name == name) return loop.vertices;
+    names.push_back(loop.name);
+  }
+  throw InputError(fmt::format("loop = '{}': expected {}", name, listWords(names)));
+}
+
+std::vector<int> verticesIn(const Brush& ball, const Positions& positions) {
+  std::vector<int> vertices;
+  for (int v = 0; v < positions.rows(); ++v)
+    if ((Vec3(positions.row(v)) - ball.at).norm() <= ball.radius) vertices.push_back(v);
+  if (vertices.empty())
+    throw InputError(fmt::format("at = [{:g}, {:g}, {:g}], radius = {:g}: no vertex of the garment lies in this ball",
+                                 ball.at.x(), ball.at.y(), ball.at.z(), ball.radius));
+  return vertices;
+}
+
+std::vector<std::vector<int>> resolvePins(const Scene& scene, const SceneInput& input, const Topology& topology,
                                           const std::string& garment_name) {
+  const TriangleMesh& garment = input.garment;
   std::vector<std::vector<int>> pins;
   std::set<int> pinned;
   for (const PinScene& pin : scene.garment.pins) {
     const std::string where = fmt::format("{}: [[garment.pin]] number {}", scene.file.string(), pins.size() + 1);
-    if (const auto* loop = std::get_if<std::string>(&pin.what)) {
-      try {
-        pins.push_back(findLoop(topology, garment.positions, *loop));
-      } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", where, error.what()));
+    try {
+      if (const auto* loop = std::get_if<std::string>(&pin.what)) {
+        pins.push_back(loopNamed(*loop, input, topology));
+      } else if (const auto* ball = std::get_if<Brush>(&pin.what)) {
+        pins.push_back(verticesIn(*ball, garment.positions));
+      } else {
+        pins.push_back(std::get<std::vector<int>>(pin.what));
       }
-    } else {
-      pins.push_back(std::get<std::vector<int>>(pin.what));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", where, error.what()));
     }
     for (const int v : pins.back()) {
       if (v >= garment.positions.rows())
@@ -195,22 +262,20 @@ std::vector<std::vector<int>> resolvePins(const Scene& scene, const TriangleMesh
 
 SceneInput readSceneInput(const Scene& scene) {
   SceneInput input;
-  const bool built_in = !scene.garment.builtin.empty();
-  const std::string name = built_in ? scene.garment.builtin : besideScene(scene, scene.garment.mesh).string();
-  input.garment = built_in ? builtinGarment(scene.garment.builtin, scene.garment.vertices, scene.collision.offset)
-                           : readNamedMesh(scene, "[garment] mesh", scene.garment.mesh);
+  // A garment that is authored needs its body; otherwise its faults are told first.
+  if (scene.garment.tools) readPoses(scene, input);
+  const std::string name = readGarment(scene, input);
   checkGeometry(input.garment, name);
   checkVerticesUsed(input.garment, name);
   const Topology topology = buildTopology(input.garment, name);
   checkGrain(input.garment, scene.garment.grain, name);
-  input.pins = resolvePins(scene, input.garment, topology, name);
+  input.pins = resolvePins(scene, input, topology, name);
+  if (!input.authored)
+    input.offsets = comfortOffsets(input.garment.positions, scene.collision.offset, scene.garment.comfort_regions);
+  paint(scene, input);
 
   if (!scene.body) return input;
-  if (scene.body->builtin.empty()) {
-    readFilePoses(scene, input);
-  } else {
-    makeBuiltinPoses(scene, input);
-  }
+  if (!scene.garment.tools) readPoses(scene, input);
   checkStart(input, name);
   return input;
 }

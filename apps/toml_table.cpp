@@ -251,6 +251,21 @@ std::vector<double> TomlTable::numbers(std::string_view key, const Range& range)
   return values;
 }
 
+std::vector<std::vector<double>> TomlTable::rows(std::string_view key, const Range& range, size_t length) const {
+  if (!has(key)) return {};
+  std::string fault;
+  const auto read = [&](const toml::node& entry) -> std::optional<std::vector<double>> {
+    std::string row_fault;
+    auto row = readArray<double>(
+        entry, [&](const toml::node& number) { return numberIn(number, range); }, row_fault);
+    return row_fault.empty() && row.size() == length ? std::optional(std::move(row)) : std::nullopt;
+  };
+  auto values = readArray<std::vector<double>>(*data_->table->get(key), read, fault);
+  if (!fault.empty())
+    refuse(key, fmt::format("an array of arrays of {} numbers, each {}; {}", length, rangeText(range), fault));
+  return values;
+}
+
 std::vector<int> TomlTable::integers(std::string_view key, int low, int high) const {
   if (!has(key)) return {};
   std::string fault;

@@ -46,8 +46,10 @@ class TomlTable {
   std::string text(std::string_view key, const std::string& fallback) const;
   std::string choice(std::string_view key, const std::string& fallback, const std::vector<std::string>& words) const;
 
-  // Arrays, empty where absent.  A single value is no array, and an array that is there has at least one entry.
+  // Arrays, empty where absent.  A single value is no array, and an array that is there has at least one entry.  Rows
+  // are arrays of `length` numbers.
   std::vector<double> numbers(std::string_view key, const Range& range) const;
+  std::vector<std::vector<double>> rows(std::string_view key, const Range& range, size_t length) const;
   std::vector<int> integers(std::string_view key, int low, int high) const;
   std::vector<std::string> texts(std::string_view key) const;
 

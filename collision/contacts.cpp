@@ -51,6 +51,15 @@ void sampleCloth(const Positions& x, const Triangles& triangles, const std::vect
   });
 }
 
+void sampleOffsets(std::span<const double> vertex_offsets, const Triangles& triangles, const std::vector<Edge>& edges,
+                   std::vector<double>& offsets) {
+  offsets.assign(vertex_offsets.begin(), vertex_offsets.end());
+  for (const Edge& edge : edges)
+    offsets.push_back(0.5 * (vertex_offsets[edge.vertex[0]] + vertex_offsets[edge.vertex[1]]));
+  for (const auto& t : triangles.rowwise())
+    offsets.push_back((vertex_offsets[t[0]] + vertex_offsets[t[1]] + vertex_offsets[t[2]]) / 3.0);
+}
+
 // Samples that are near each other in space one after the other, by the Z-order curve (Morton 1966): a level set is
 // then read in order.
 void ContactFinder::orderSamples(std::span<const Vec3> samples) {
@@ -128,12 +137,13 @@ void Penetration::deepen(const std::vector<double>& sample_distances, int vertex
   }
 }
 
-void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, double offset, double most_recovery,
-                         Contacts& contacts) {
-  lookUp(body, samples, offset + kReach);
+void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, std::span<const double> offsets,
+                         double most_recovery, Contacts& contacts) {
+  lookUp(body, samples, *std::max_element(offsets.begin(), offsets.end()) + kReach);
   contacts.planes.resize(samples.size());
   parallelFor(static_cast<int>(samples.size()), kGrain, [&](int k) {
     const LevelSetSample& here = found_[k];
+    const double offset = offsets[order_[k]];
     ContactPlane& plane = contacts.planes[order_[k]];
     plane = {};
     if (here.triangle < 0 || here.phi > offset + kReach) return;
@@ -141,7 +151,7 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
     plane.offset = here.normal.dot(points_[k]) + offset - here.phi;
     plane.give = std::max(kLeastGive, kGive * offset);
   });
-  makeRoom(body, offset, contacts);
+  makeRoom(body, offsets, contacts);
   // No plane asks for more in one step than this: cloth that got too deep is moved out, not shot out.
   std::atomic<long> limited = 0;
   const auto limit = [&](int s, ContactPlane& plane) {
@@ -155,12 +165,13 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
   rescues_.limited += limited;
 }
 
-void ContactFinder::makeRoom(const BodyMoment& body, double offset, Contacts& contacts) {
+void ContactFinder::makeRoom(const BodyMoment& body, std::span<const double> offsets, Contacts& contacts) {
   // Samples that must move out by d = offset - phi: would they get there, or meet another part of the body?
   chosen_.clear();
   chosen_points_.clear();
   for (int k = 0; k < static_cast<int>(found_.size()); ++k) {
     const LevelSetSample& here = found_[k];
+    const double offset = offsets[order_[k]];
     if (here.triangle < 0 || here.phi > offset - kRidgeTolerance) continue;
     chosen_.push_back(k);
     chosen_points_.push_back(points_[k] - body.tau * motionOf(body, here.triangle) + (offset - here.phi) * here.normal);
@@ -171,7 +182,7 @@ void ContactFinder::makeRoom(const BodyMoment& body, double offset, Contacts& co
   for (size_t c = 0; c < chosen_.size(); ++c) {
     const int k = chosen_[c];
     const LevelSetSample &here = found_[k], &there = ahead_[c];
-    const double d = offset - here.phi;
+    const double offset = offsets[order_[k]], d = offset - here.phi;
     if (there.triangle < 0 || there.phi > offset - kRidgeTolerance - 0.1 * d) continue;
     // How far the sample is from the other part now, which moves in its own way.
     const double along = here.normal.dot(there.normal);

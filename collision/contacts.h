@@ -1,6 +1,6 @@
 // Contacts of a cloth with the level set of a moving body.
 //
-//   gap = phi(x) - offset, m     offset: comfort, the least distance that the garment keeps from the body
+//   gap = phi(x) - offset, m     offset: comfort, the least distance that the garment keeps from the body there
 //
 // A level set stands for its pose; between poses it is carried along with the body's motion: at time tau after it, a
 // point x is looked up where the body's surface near it came from, x - tau u.
@@ -22,6 +22,10 @@ namespace ease {
 /// Positions of all samples (contact.h), m.
 void sampleCloth(const Positions& x, const Triangles& triangles, const std::vector<Edge>& edges,
                  std::vector<Vec3>& samples);
+
+/// Comfort offsets of all samples, m: the means of their vertices'.
+void sampleOffsets(std::span<const double> vertex_offsets, const Triangles& triangles, const std::vector<Edge>& edges,
+                   std::vector<double>& offsets);
 
 /// The body around the pose that a level set was made of.
 struct BodyMoment {
@@ -47,10 +51,10 @@ struct ContactRescues {
 
 class ContactFinder {
  public:
-  /// Planes for each of the samples that touches the body or nearly does.  A plane lies at most `most_recovery` (m)
-  /// above its sample.
-  void find(const BodyMoment& body, std::span<const Vec3> samples, double offset, double most_recovery,
-            Contacts& contacts);
+  /// Planes for each of the samples that touches the body or nearly does; `offsets`, m, one a sample.  A plane lies at
+  /// most `most_recovery` (m) above its sample.
+  void find(const BodyMoment& body, std::span<const Vec3> samples, std::span<const double> offsets,
+            double most_recovery, Contacts& contacts);
 
   /// Signed distance of each sample to the body, m; exact where it is below 2 mm.
   void distances(const BodyMoment& body, std::span<const Vec3> samples, std::vector<double>& distances);
@@ -65,7 +69,7 @@ class ContactFinder {
   /// Fills found_; samples further than `near` (m) from the body need not be right.
   void lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near);
   void orderSamples(std::span<const Vec3> samples);
-  void makeRoom(const BodyMoment& body, double offset, Contacts& contacts);
+  void makeRoom(const BodyMoment& body, std::span<const double> offsets, Contacts& contacts);
 
   // Indexed by place in the order, not by sample.
   std::vector<int> order_;  // sample that comes k-th

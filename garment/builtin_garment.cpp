@@ -18,7 +18,6 @@ namespace {
 
 constexpr int kFewest = 300, kMost = 100000;  // vertices
 constexpr double kWidestOffset = 0.05;        // m
-constexpr double kTolerance = 0.025;          // of the number of vertices
 constexpr double kBeyondCut = 0.025;          // m: the uncut surface ends this far behind the planes
 
 /// A garment's shape: what is added to the body, and where it is cut.
@@ -89,25 +88,6 @@ TriangleMesh cutGarment(const DistanceField& field, const Pattern& pattern, cons
   return mesh;
 }
 
-double area(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  for (int t = 0; t < mesh.triangles.rows(); ++t) sum += triangleArea(mesh.positions, mesh.triangles, t);
-  return sum;
-}
-
-/// Remeshes to the number of vertices, correcting the edge length by the number that came out.
-TriangleMesh remeshedTo(const TriangleMesh& mesh, double edge, int vertices, const std::string& name) {
-  constexpr int kTrials = 12;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const TriangleMesh result = remeshed(mesh, edge);
-    const double ratio = static_cast<double>(result.positions.rows()) / vertices;
-    if (std::abs(ratio - 1.0) <= kTolerance) return result;
-    edge *= std::sqrt(ratio);
-  }
-  throw ComputationError(fmt::format("built-in garment \"{}\": no mesh within {:.1f} % of {} vertices in {} trials",
-                                     name, 100.0 * kTolerance, vertices, kTrials));
-}
-
 }  // namespace
 
 TriangleMesh builtinGarment(const std::string& name, int vertices, double offset) {
@@ -123,10 +103,7 @@ TriangleMesh builtinGarment(const std::string& name, int vertices, double offset
   const std::vector<Plane> cuts = cutsOf(pattern, offset);
   const double rough_edge = std::sqrt(1.0 / vertices);  // m: of about a square metre
   const TriangleMesh uniform = cutGarment(field, pattern, cuts, std::clamp(rough_edge, 0.006, 0.016));
-  // An equilateral mesh has area / (sqrt(3)/2 edge^2) vertices; the remesher makes about this many times as many.
-  constexpr double kSurplus = 1.22;
-  const double edge = std::sqrt(kSurplus * area(uniform) / (0.5 * std::sqrt(3.0) * vertices));
-  TriangleMesh garment = remeshedTo(uniform, edge, vertices, name);
+  TriangleMesh garment = remeshedTo(uniform, vertices, fmt::format("built-in garment \"{}\"", name));
   settleOnSurface(field, cuts, garment);
   keepClear(mannequinDistance, cuts, offset, garment);
   return garment;

@@ -6,10 +6,14 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <vector>
+
+#include "solver/mesh/error.h"
 
 namespace ease {
 namespace {
@@ -95,6 +99,24 @@ TriangleMesh remeshed(const TriangleMesh& mesh, double edge_length) {
                                       .number_of_relaxation_steps(2)
                                       .protect_constraints(true));
   return fromSurfaceMesh(surface);
+}
+
+TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::string& name) {
+  constexpr int kTrials = 12;
+  constexpr double kTolerance = 0.025;
+  // An equilateral mesh has area / (sqrt(3)/2 edge^2) vertices; the remesher makes about this many times as many.
+  constexpr double kSurplus = 1.22;
+  double area = 0.0;
+  for (int t = 0; t < mesh.triangles.rows(); ++t) area += triangleArea(mesh.positions, mesh.triangles, t);
+  double edge = std::sqrt(kSurplus * area / (0.5 * std::sqrt(3.0) * vertices));
+  for (int trial = 0; trial < kTrials; ++trial) {
+    TriangleMesh result = remeshed(mesh, edge);
+    const double ratio = static_cast<double>(result.positions.rows()) / vertices;
+    if (std::abs(ratio - 1.0) <= kTolerance) return result;
+    edge *= std::sqrt(ratio);
+  }
+  throw ComputationError(fmt::format("{}: no mesh within {:.1f} % of {} vertices in {} trials", name,
+                                     100.0 * kTolerance, vertices, kTrials));
 }
 
 }  // namespace ease

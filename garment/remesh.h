@@ -2,6 +2,8 @@
 // CGAL's Polygon Mesh Processing).
 #pragma once
 
+#include <string>
+
 #include "solver/mesh/triangle_mesh.h"
 
 namespace ease {
@@ -9,5 +11,9 @@ namespace ease {
 /// `mesh` with edges of about `edge_length` (m).  The boundary is resampled first, its vertices on the old boundary, at
 /// least eight to a loop.
 TriangleMesh remeshed(const TriangleMesh& mesh, double edge_length);
+
+/// The same with about `vertices` vertices, within 2.5 %.  Throws ComputationError, naming `name`, where no edge length
+/// leads to that.
+TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::string& name);
 
 }  // namespace ease

@@ -95,7 +95,7 @@ void drawScaleBar(Overlay& overlay, const ColorScale& scale, const std::string& 
                             {box.x + box.width, box.y, 1, box.height}};
   const double step = tickStep(range, 8);
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
-  for (double k = std::ceil(scale.low() / step - 1e-9); k * step <= scale.high() + 1e-9 * range; ++k) {
+  for (double k = std::ceil(scale.low() / step - 1e-9) + 0.0; k * step <= scale.high() + 1e-9 * range; ++k) {
     marks.push_back({xOf(k * step) - 0.75, box.y - 7, 1.5, 6});
     overlay.text(xOf(k * step), box.y - 25, Align::center, fmt::format("{:.{}f}", k * step, decimals), {16, ink});
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
@@ -10,6 +11,8 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
@@ -93,6 +96,29 @@ vtkSmartPointer<vtkActor> bodyActor(const TriangleMesh& body) {
   return actor;
 }
 
+// Drawn in front of the garment that it lies on, hidden by what is further in front.
+vtkSmartPointer<vtkActor> lineActor(const ViewLine& line) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (const Vec3& x : line.points) points->InsertNextPoint(x.data());
+  const auto count = static_cast<vtkIdType>(line.points.size());
+  cells->InsertNextCell(static_cast<int>(count + (line.is_closed ? 1 : 0)));
+  for (vtkIdType i = 0; i < count + (line.is_closed ? 1 : 0); ++i) cells->InsertCellPoint(i % count);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(cells);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(line.color[0] / 255.0, line.color[1] / 255.0, line.color[2] / 255.0);
+  actor->GetProperty()->SetLineWidth(2.5 * kSamples);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
 void addLights(vtkRenderer* renderer) {
   struct Lamp {
     double x, y, z, intensity;  // towards the lamp, in the camera's frame
@@ -144,6 +170,7 @@ void addScene(vtkRenderWindow* window, const StretchView& view, const ColorScale
   renderer->SetBackground(1, 1, 1);
   renderer->AddActor(garmentActor(view, scale));
   if (view.body) renderer->AddActor(bodyActor(*view.body));
+  for (const ViewLine& line : view.lines) renderer->AddActor(lineActor(line));
   addLights(renderer);
   placeCamera(renderer, extent, box, from_behind);
   window->AddRenderer(renderer);
@@ -159,6 +186,7 @@ std::pair<Box, Box> splitPanel(const Box& panel, const Extent& extent) {
 }
 
 std::string summary(const StretchView& view, const ColorScale& scale) {
+  if (!view.summary.empty()) return view.summary;
   const auto over = std::count_if(view.values.begin(), view.values.end(), [&](float v) { return scale.isOver(v); });
   return fmt::format("largest {:.2f}, {:.1f} % of triangles over the limit",
                      *std::max_element(view.values.begin(), view.values.end()),

@@ -6,8 +6,16 @@
 #include <vector>
 
 #include "solver/mesh/triangle_mesh.h"
+#include "viz/color_scale.h"
 
 namespace ease {
+
+/// A line on the garment, e.g. one of its loops.
+struct ViewLine {
+  std::vector<Vec3> points;  // m
+  bool is_closed;
+  Rgb color;
+};
 
 /// One view: a garment coloured by a value per triangle, on a body drawn plainly.
 struct StretchView {
@@ -15,6 +23,8 @@ struct StretchView {
   const TriangleMesh* garment;
   std::vector<float> values;  // per triangle, e.g. sigma_1
   const TriangleMesh* body;   // may be null
+  std::string summary = {};   // below the title; empty: the largest value, and how many are over the limit
+  std::vector<ViewLine> lines = {};
 };
 
 /// Draws the views side by side (each from the front and, smaller or beside, from the back) with one colour scale from

@@ -87,3 +87,24 @@ TEST_CASE("where one patch grows, cloth far from it stays as it was") {
     if (mesh.positions(mesh.triangles(t, 0), 0) > 0.7) CHECK(largestGrowth(first_inverse, cloth, t) < 1.01);
   }
 }
+
+TEST_CASE("cloth rescaled in a patch grows or shrinks there, and nowhere else") {
+  const TriangleMesh mesh = makeTube(48, 24, 0.1, 0.4);
+  for (const double scale : {1.3, 0.8}) {
+    Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
+    const std::vector<double> first_areas = cloth.restAreas();
+    std::vector<double> scales(cloth.triangleCount(), 1.0);
+    double patch = 0.0, rest = 0.0, first_patch = 0.0, first_rest = 0.0;
+    const auto isInPatch = [&](int t) { return std::abs(mesh.positions(mesh.triangles(t, 0), 1) - 0.2) < 0.06; };
+    for (int t = 0; t < cloth.triangleCount(); ++t)
+      if (isInPatch(t)) scales[t] = scale;
+    Stitcher(cloth, systemOrdering(cloth.vertexCount(), cloth.triangles())).rescale(cloth, scales);
+    for (int t = 0; t < cloth.triangleCount(); ++t) {
+      (isInPatch(t) ? patch : rest) += cloth.restAreas()[t];
+      (isInPatch(t) ? first_patch : first_rest) += first_areas[t];
+    }
+    INFO(scale << ": " << patch / first_patch << ", " << rest / first_rest);
+    CHECK(patch / first_patch == Approx(scale * scale).epsilon(0.1));
+    CHECK(rest / first_rest == Approx(1.0).epsilon(0.05));
+  }
+}

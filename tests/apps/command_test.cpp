@@ -75,7 +75,7 @@ TEST_CASE("the version is printed") {
 
 TEST_CASE("misuse of the command line is one line and exit code 1") {
   const auto [arguments, message] = GENERATE(table<const char*, const char*>({
-      {"", "no command: expected 'run' or 'check'"},
+      {"", "no command: expected 'run', 'garment' or 'check'"},
       {"rum x.toml", "unknown command 'rum', did you mean 'run'?"},
       {"--fast", "unknown option '--fast'"},
       {"run", "SCENE is required"},
@@ -173,4 +173,30 @@ TEST_CASE("every method runs the whole job, and one thread and two write the sam
     CHECK(one == contentOf(directory.path / (method + "2/rest_shape.obj")));
     CHECK_THAT(contentOf(directory.path / (method + "1/report.json")), Contains("\"adaptions\": 4"));
   }
+}
+
+TEST_CASE("garment writes a made garment with its loops, seams and pieces") {
+  const TemporaryDirectory directory;
+  const std::string tube =
+      "body = {builtin = 'mannequin', poses = ['t']}\n[garment]\nresolution = 400\n[garment.region]\n"
+      "seed = [0, 1, 0.2]\n[[garment.boundary]]\nname = 'top'\nplane = {point = [0, 1.2, 0], normal = [0, 1, 0]}\n"
+      "[[garment.boundary]]\nname = 'hem'\nplane = {point = [0, 0.9, 0], normal = [0, 1, 0]}\n"
+      "[[garment.seam]]\nname = 'left'\nfrom = 'hem'\nto = 'top'\npoints = [[0.15, 1.05, 0]]\n"
+      "[[garment.seam]]\nname = 'right'\nfrom = 'hem'\nto = 'top'\npoints = [[-0.15, 1.05, 0]]\n";
+  directory.write("tube.toml", tube);
+  const Outcome outcome = runEase(directory, "garment tube.toml --pieces -o made");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK_THAT(outcome.out, Contains("garment   ") && Contains("0 self-intersections") && Contains("pieces    2, with"));
+  const std::filesystem::path made = directory.path / "made";
+  for (const char* file :
+       {"garment.obj", "garment.vtp", "body.obj", "garment.json", "pieces.obj", "pieces.vtp", "pieces.json"})
+    CHECK(std::filesystem::file_size(made / file) > 0);
+  CHECK_THAT(contentOf(made / "garment.json"), Contains("\"name\": \"hem\"") && Contains("\"name\": \"left\""));
+
+  writeHangingCloth(directory, 1);
+  const Outcome none = runEase(directory, "garment hang.toml");
+  CHECK(none.code == 1);
+  CHECK_THAT(none.err, StartsWith("ease: error: hang.toml: [garment] has no [[garment.boundary]]") && EndsWith("\n"));
+  CHECK(isOneLine(none.err));
 }

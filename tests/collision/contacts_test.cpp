@@ -58,9 +58,10 @@ TEST_CASE("samples are vertices, edge midpoints and centroids") {
 TEST_CASE("a plane stands the offset away from the body, and there is none far from it") {
   Body body(makeSlabs(0.1));
   const std::vector<Vec3> points{{-0.047, 0.01, 0.02}, {-0.052, 0.03, 0.0}, {0.0, 0.0, 0.0}};
+  const std::vector<double> offsets(3, 0.005);
   ContactFinder finder;
   Contacts contacts;
-  finder.find(body.moment(points), points, 0.005, kMostRecovery, contacts);
+  finder.find(body.moment(points), points, offsets, kMostRecovery, contacts);
   const std::vector<ContactPlane>& planes = contacts.planes;
   CHECK(planes[0].depth(points[0]) == Approx(0.002).margin(1e-5));
   CHECK(planes[1].depth(points[1]) == Approx(0.007).margin(1e-5));
@@ -72,11 +73,12 @@ TEST_CASE("a plane stands the offset away from the body, and there is none far f
 
 TEST_CASE("between parts nearer than twice the offset the planes of both are in the middle") {
   Body body(makeSlabs(0.004));
+  const std::vector<double> offsets(1, 0.005);
   ContactFinder finder;
   Contacts contacts;
   for (const double x : {-0.0045, -0.001, 0.0012, 0.004}) {
     const std::vector<Vec3> points{{x, 0.01, 0.02}};
-    finder.find(body.moment(points), points, 0.005, kMostRecovery, contacts);
+    finder.find(body.moment(points), points, offsets, kMostRecovery, contacts);
     REQUIRE(contacts.seconds.size() == 1);
     const ContactPlane &first = contacts.planes[0], &second = contacts.seconds[0].plane;
     CHECK(first.normal.dot(second.normal) == Approx(-1.0).margin(1e-2));
@@ -94,6 +96,7 @@ TEST_CASE("in a crease the planes of both parts lead out of it") {
   const auto distanceToWalls = [&](const Vec3& x) {
     return (0.5 * gap + slope * (x.y() + 0.4) - std::abs(x.x())) / std::hypot(1.0, slope);
   };
+  const std::vector<double> offsets(1, 0.005);
   ContactFinder finder;
   Contacts contacts;
   Vec3 x(0.0005, -0.398, 0.01);
@@ -101,7 +104,7 @@ TEST_CASE("in a crease the planes of both parts lead out of it") {
   REQUIRE(before < 0.0015);
   for (int round = 0; round < 8; ++round) {
     const std::vector<Vec3> points{x};
-    finder.find(body.moment(points), points, 0.005, kMostRecovery, contacts);
+    finder.find(body.moment(points), points, offsets, kMostRecovery, contacts);
     // The nearest point above both planes.
     for (int k = 0; k < 200; ++k) {
       x += contacts.planes[0].depth(x) * contacts.planes[0].normal;
@@ -110,6 +113,25 @@ TEST_CASE("in a crease the planes of both parts lead out of it") {
     CHECK(distanceToWalls(x) > before - 1e-4);
   }
   CHECK(distanceToWalls(x) > 0.0045);
+}
+
+TEST_CASE("every sample keeps its own offset; that of a midpoint or centroid is the mean of its vertices'") {
+  Body body(makeSlabs(0.1));
+  const std::vector<Vec3> points{{-0.047, 0.01, 0.02}, {-0.047, 0.02, 0.02}};
+  const std::vector<double> offsets{0.005, 0.012};
+  ContactFinder finder;
+  Contacts contacts;
+  finder.find(body.moment(points), points, offsets, kMostRecovery, contacts);
+  CHECK(contacts.planes[0].depth(points[0]) == Approx(0.002).margin(1e-5));
+  CHECK(contacts.planes[1].depth(points[1]) == Approx(0.009).margin(1e-5));
+
+  Triangles triangle(1, 3);
+  triangle << 0, 1, 2;
+  std::vector<double> all;
+  sampleOffsets(std::vector<double>{0.0, 0.01, 0.05}, triangle, {{{0, 1}, {0, -1}, {2, -1}}}, all);
+  REQUIRE(all.size() == 5);
+  CHECK(all[3] == Approx(0.005));
+  CHECK(all[4] == Approx(0.02));
 }
 
 TEST_CASE("a level set is carried along with the body") {
@@ -126,9 +148,10 @@ TEST_CASE("a level set is carried along with the body") {
 TEST_CASE("distances since the last find follow small moves") {
   Body body(makeSlabs(0.1));
   std::vector<Vec3> points{{-0.047, 0.01, 0.02}};
+  const std::vector<double> offsets(1, 0.005);
   ContactFinder finder;
   Contacts contacts;
-  finder.find(body.moment(points), points, 0.005, kMostRecovery, contacts);
+  finder.find(body.moment(points), points, offsets, kMostRecovery, contacts);
   points[0][0] -= 0.004;
   std::vector<double> distances;
   finder.distancesSinceFind(points, distances);

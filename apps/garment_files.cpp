@@ -1,0 +1,152 @@
+#include "apps/garment_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "collision/triangle_tree.h"
+#include "garment/mesh_quality.h"
+#include "garment/pieces.h"
+#include "solver/mesh/mesh_io.h"
+#include "viz/picture.h"
+#include "viz/vtp.h"
+#include "viz/whole_file.h"
+
+namespace ease {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Per vertex: loop and seam (their numbers, -1 none), offset_m, body_triangle (-1: none under it), pinned.  Per
+/// triangle: paint_scale.
+Frame garmentFrame(const SceneInput& input) {
+  const AuthoredGarment& authored = *input.authored;
+  const size_t vertices = input.garment.positions.rows(), triangles = input.garment.triangles.rows();
+  NamedArray loop{"loop", 1, std::vector<float>(vertices, -1.0F)};
+  for (size_t l = 0; l < authored.garment.loops.size(); ++l)
+    for (const int v : authored.garment.loops[l].vertices) loop.values[v] = static_cast<float>(l);
+  NamedArray seam{"seam", 1, std::vector<float>(vertices, -1.0F)};
+  for (size_t s = 0; s < authored.seams.size(); ++s)
+    for (const int v : authored.seams[s].vertices) seam.values[v] = static_cast<float>(s);
+  NamedArray offset{"offset_m", 1, {input.offsets.begin(), input.offsets.end()}};
+  NamedArray body{"body_triangle", 1, {authored.body_triangle.begin(), authored.body_triangle.end()}};
+  NamedArray pinned{"pinned", 1, std::vector<float>(vertices, 0.0F)};
+  for (const std::vector<int>& pin : input.pins)
+    for (const int v : pin) pinned.values[v] = 1.0F;
+  NamedArray paint{"paint_scale", 1, {input.paint.begin(), input.paint.end()}};
+  if (input.paint.empty()) paint.values.assign(triangles, 1.0F);
+  return {input.garment.positions, {loop, seam, offset, body, pinned}, {paint}};
+}
+
+Json qualityJson(const MeshQuality& quality) {
+  return {{"vertices", quality.vertices},
+          {"triangles", quality.triangles},
+          {"smallest_angle_deg", quality.smallest_angle_deg},
+          {"largest_angle_deg", quality.largest_angle_deg},
+          {"share_of_triangles_from_20_deg", quality.share_from_20_deg},
+          {"shortest_edge_m", quality.shortest_edge_m},
+          {"mean_edge_m", quality.mean_edge_m},
+          {"longest_edge_m", quality.longest_edge_m},
+          {"self_intersections", quality.self_intersections},
+          {"least_distance_to_body_m",
+           {{"vertices", quality.vertex_distance_m},
+            {"edge_midpoints", quality.midpoint_distance_m},
+            {"centroids", quality.centroid_distance_m}}},
+          {"samples_nearer_than_comfort", quality.too_near}};
+}
+
+Json garmentJson(const Scene& scene, const SceneInput& input, const MeshQuality& quality) {
+  const AuthoredGarment& authored = *input.authored;
+  Json loops = Json::array();
+  for (const NamedLoop& loop : authored.garment.loops)
+    loops.push_back({{"name", loop.name}, {"vertices", loop.vertices}});
+  Json seams = Json::array();
+  for (const Seam& seam : authored.seams)
+    seams.push_back({{"name", seam.name}, {"closed", seam.is_closed}, {"vertices", seam.vertices}});
+  const AuthoredGarment::Times& times = authored.times;
+  return {{"scene", scene.name},
+          {"body", input.pose_names.front()},
+          {"quality", qualityJson(quality)},
+          {"vertices_in_folds", authored.held_vertices},
+          {"times_s",
+           {{"loops", times.loops_s},
+            {"region", times.region_s},
+            {"extension", times.extension_s},
+            {"remeshing", times.remeshing_s},
+            {"seams", times.seams_s},
+            {"comfort", times.comfort_s}}},
+          {"loops", loops},
+          {"seams", seams}};
+}
+
+std::string summaryOf(const MeshQuality& quality, const AuthoredGarment& authored) {
+  const AuthoredGarment::Times& times = authored.times;
+  const double nearest =
+      std::min({quality.vertex_distance_m, quality.midpoint_distance_m, quality.centroid_distance_m});
+  return fmt::format(
+      "garment   {} vertices, {} triangles, edges {:.1f} mm\n"
+      "quality   smallest angle {:.1f} deg, {:.2f} % of triangles 20 deg or more, {} self-intersections\n"
+      "distance  {:.2f} mm at least to the body; {} vertices in folds with less room than comfort asks for\n"
+      "times     {:.2f} s: loops {:.2f}, region {:.2f}, extension {:.2f}, remeshing {:.2f}, seams {:.2f}, comfort "
+      "{:.2f}\n",
+      quality.vertices, quality.triangles, 1e3 * quality.mean_edge_m, quality.smallest_angle_deg,
+      100.0 * quality.share_from_20_deg, quality.self_intersections, 1e3 * nearest, authored.held_vertices,
+      times.total(), times.loops_s, times.region_s, times.extension_s, times.remeshing_s, times.seams_s,
+      times.comfort_s);
+}
+
+/// Coloured by paint where there is any, otherwise by comfort; with the loops.
+std::string drawGarment(const SceneInput& input, const MeshQuality& quality, const std::filesystem::path& directory) {
+  const TriangleMesh body{input.poses.front(), input.body_triangles};
+  StretchView view{"", &input.garment, {}, &body};
+  std::string label = "cloth painted, times as long";
+  double low = 0.7, high = 1.3;
+  if (!input.paint.empty()) {
+    view.values.assign(input.paint.begin(), input.paint.end());
+  } else {
+    label = "comfort offset, mm";
+    low = 0.0;
+    high = 2e3 * *std::max_element(input.offsets.begin(), input.offsets.end()) + 1.0;
+    for (const auto& t : input.garment.triangles.rowwise())
+      view.values.push_back(
+          static_cast<float>(1e3 * (input.offsets[t[0]] + input.offsets[t[1]] + input.offsets[t[2]]) / 3));
+  }
+  view.title = fmt::format("{} vertices on {}", quality.vertices, input.pose_names.front());
+  view.summary = fmt::format("smallest angle {:.0f} degrees", quality.smallest_angle_deg);
+  for (const NamedLoop& loop : input.authored->garment.loops)
+    view.lines.push_back({positionsOf(loop.vertices, input.garment.positions), true, {20, 40, 120}});
+  for (const Seam& seam : input.authored->seams)
+    view.lines.push_back({positionsOf(seam.vertices, input.garment.positions), seam.is_closed, {190, 60, 20}});
+  return drawStretch(directory / "garment.png", {view}, label, low, high, high);
+}
+
+}  // namespace
+
+std::string writeGarment(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory) {
+  const TriangleMesh body{input.poses.front(), input.body_triangles};
+  const MeshQuality quality = meshQuality(input.garment, TriangleTree(body.positions, body.triangles), input.offsets);
+  writeObj(directory / "garment.obj", input.garment);
+  writeObj(directory / "body.obj", body);
+  writeVtp(directory / "garment.vtp", input.garment.triangles, garmentFrame(input));
+  writeWholeFile(directory / "garment.json", garmentJson(scene, input, quality).dump(1) + "\n");
+  std::string text = summaryOf(quality, *input.authored);
+  const std::string reason = drawGarment(input, quality, directory);
+  if (!reason.empty()) text += "no picture: " + reason + "\n";
+  return text;
+}
+
+std::string writePieces(const SceneInput& input, const std::filesystem::path& directory) {
+  const Pieces pieces = cutIntoPieces(input.garment, input.authored->seams);
+  const NamedArray piece{"piece", 1, {pieces.piece.begin(), pieces.piece.end()}};
+  const NamedArray glue{"garment_vertex", 1, {pieces.glue.begin(), pieces.glue.end()}};
+  writeObj(directory / "pieces.obj", pieces.mesh);
+  writeVtp(directory / "pieces.vtp", pieces.mesh.triangles, {pieces.mesh.positions, {glue}, {piece}});
+  const Json json = {{"pieces", pieces.count}, {"garment_vertex", pieces.glue}, {"piece_of_triangle", pieces.piece}};
+  writeWholeFile(directory / "pieces.json", json.dump() + "\n");
+  return fmt::format("pieces    {}, with {} vertices more than the garment\n", pieces.count,
+                     pieces.mesh.positions.rows() - input.garment.positions.rows());
+}
+
+}  // namespace ease

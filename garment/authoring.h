@@ -1,0 +1,46 @@
+// The tools in their order: boundary, region, extension, remeshing, comfort, paint, seams.
+#pragma once
+
+#include "garment/boundary_loop.h"
+#include "garment/brush.h"
+#include "garment/extension.h"
+#include "garment/looped_mesh.h"
+#include "garment/seam.h"
+
+namespace ease {
+
+struct GarmentTools {
+  std::vector<LoopRequest> boundaries;
+  Vec3 seed = Vec3::Zero();  // m: in the part of the body that becomes cloth
+  int resolution = 3000;     // vertices
+  double edge_length = 0.0;  // m; above 0: instead of the resolution
+  double smoothing = 0.01;   // m: of loops through points (boundary_loop.h)
+  std::vector<Extension> extensions;
+  std::vector<SeamRequest> seams;
+};
+
+/// What the garment keeps from the body.
+struct Comfort {
+  double offset = 0.005;  // m
+  std::vector<Brush> regions;
+};
+
+struct AuthoredGarment {
+  LoopedMesh garment;
+  std::vector<BoundaryLoop> loops;  // on the body
+  std::vector<Seam> seams;
+  std::vector<double> offsets;     // comfort per vertex, m
+  std::vector<int> body_triangle;  // per vertex, where it was on the body; -1 on an extension
+  int held_vertices = 0;           // between parts of the body that leave less room than two offsets
+  struct Times {
+    double loops_s = 0.0, region_s = 0.0, extension_s = 0.0, remeshing_s = 0.0, seams_s = 0.0, comfort_s = 0.0;
+    double total() const { return loops_s + region_s + extension_s + remeshing_s + seams_s + comfort_s; }
+  };
+  Times times;
+};
+
+/// Makes the garment on a body.  Throws InputError where a tool cannot do what was asked, ComputationError where it
+/// fails.
+AuthoredGarment authorGarment(const TriangleMesh& body, const GarmentTools& tools, const Comfort& comfort);
+
+}  // namespace ease

@@ -1,0 +1,181 @@
+#include "garment/comfort.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "collision/contacts.h"
+#include "collision/level_set.h"
+#include "solver/linear/parallel.h"
+#include "solver/mesh/error.h"
+#include "solver/mesh/topology.h"
+
+namespace ease {
+namespace {
+
+constexpr int kSmoothingRounds = 30;
+constexpr int kPatience = 25;  // rounds of moving out before samples settle for less
+constexpr int kMostRounds = 300;
+constexpr double kDoubt = 1e-3;      // m: samples nearer to what is wanted are looked up exactly in the end
+constexpr double kRoomKept = 0.8;    // of half the room between two parts of the body
+constexpr double kOvershoot = 1e-4;  // m: or the last micrometres would take for ever
+constexpr double kBand = 0.06;       // m beyond the largest offset: how deep the garment may begin inside the body
+constexpr double kVoxel = 0.01;      // m
+constexpr double kFarthest = 0.2;    // m
+constexpr double kOnSurface = 1e-6;  // m
+
+/// What every vertex is smoothed with: on a loop its two neighbours there, elsewhere all.
+std::vector<std::vector<int>> smoothingNeighbours(const LoopedMesh& garment, const Topology& topology) {
+  std::vector<std::vector<int>> neighbours(garment.mesh.positions.rows());
+  for (const Edge& edge : topology.edges)
+    for (const int k : {0, 1}) neighbours[edge.vertex[k]].push_back(edge.vertex[1 - k]);
+  for (const std::vector<int>& loop : topology.boundary_loops) {
+    const size_t n = loop.size();
+    for (size_t i = 0; i < n; ++i) neighbours[loop[i]] = {loop[(i + n - 1) % n], loop[(i + 1) % n]};
+  }
+  return neighbours;
+}
+
+/// Vertices whose mean a sample is (contact.h).
+struct SampleCorners {
+  int count;
+  std::array<int, 3> vertex;
+};
+
+std::vector<SampleCorners> sampleCorners(const LoopedMesh& garment, const Topology& topology) {
+  std::vector<SampleCorners> corners;
+  for (int v = 0; v < garment.mesh.positions.rows(); ++v) corners.push_back({1, {v, v, v}});
+  for (const Edge& edge : topology.edges) corners.push_back({2, {edge.vertex[0], edge.vertex[1], edge.vertex[1]}});
+  for (const auto& t : garment.mesh.triangles.rowwise()) corners.push_back({3, {t[0], t[1], t[2]}});
+  return corners;
+}
+
+class Mover {
+ public:
+  Mover(const TriangleTree& body, const std::vector<double>& offsets, LoopedMesh& garment)
+      : body_(body),
+        garment_(garment),
+        topology_(buildTopology(garment.mesh, "garment")),
+        neighbours_(smoothingNeighbours(garment, topology_)),
+        corners_(sampleCorners(garment, topology_)),
+        start_(garment.mesh.positions),
+        level_set_({kVoxel, *std::max_element(offsets.begin(), offsets.end()) + kBand}) {}
+
+  /// Returns the number of vertices that lack room.
+  int operator()(std::vector<double> offsets) {
+    sampleCloth(garment_.mesh.positions, garment_.mesh.triangles, topology_.edges, samples_);
+    level_set_.build(body_, samples_, 0.0);
+    const int held = limitToRoom(offsets);
+    sampleOffsets(offsets, garment_.mesh.triangles, topology_.edges, wanted_);
+    for (int round = 0; round < kMostRounds; ++round) {
+      const bool is_last_part = round >= kSmoothingRounds;
+      if (!is_last_part) smooth();
+      if (!pushOut(is_last_part) && is_last_part) return held;
+      if (is_last_part && (round - kSmoothingRounds) % kPatience == kPatience - 1) giveWay();
+    }
+    throw ComputationError("garment: it does not come clear of the body; more vertices or less offset may help");
+  }
+
+ private:
+  void smooth() {
+    const Positions d = garment_.mesh.positions - start_;
+    parallelFor(static_cast<int>(d.rows()), 512, [&](int v) {
+      Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
+      for (const int w : neighbours_[v]) mean += d.row(w) / static_cast<double>(neighbours_[v].size());
+      garment_.mesh.positions.row(v) = start_.row(v) + 0.5 * (d.row(v) + mean);
+    });
+  }
+
+  /// Reduces offsets to what room there is: moving out by d from where the distance is phi_0 leads to phi_1 from
+  /// another part, whose normal faces this one's; where d and that distance are equal is the middle.
+  int limitToRoom(std::vector<double>& offsets) {
+    const int n = static_cast<int>(offsets.size());
+    std::vector<LevelSetSample> here(n), there(n);
+    std::vector<Vec3> ahead(samples_.begin(), samples_.begin() + n);
+    level_set_.sample(ahead, here);
+    for (int v = 0; v < n; ++v) ahead[v] += std::max(0.0, offsets[v] - here[v].phi) * here[v].normal;
+    level_set_.sample(ahead, there);
+    int held = 0;
+    for (int v = 0; v < n; ++v) {
+      const double d = offsets[v] - here[v].phi, facing = here[v].normal.dot(there[v].normal);
+      if (d <= 0.0 || facing >= 0.0) continue;
+      const double middle = here[v].phi + (there[v].phi - d * facing - here[v].phi) / (1.0 - facing);
+      offsets[v] = std::clamp(kRoomKept * middle, 0.0, offsets[v]);
+      ++held;
+    }
+    return held;
+  }
+
+  void lookUp(bool exactly) {
+    sampleCloth(garment_.mesh.positions, garment_.mesh.triangles, topology_.edges, samples_);
+    found_.resize(samples_.size());
+    level_set_.sample(samples_, found_);
+    if (!exactly) return;
+    parallelFor(static_cast<int>(samples_.size()), 64, [&](int s) {
+      LevelSetSample& found = found_[s];
+      if (found.phi > wanted_[s] + kDoubt) return;
+      const ClosestPoint closest = body_.closestOfUnion(samples_[s], kFarthest, found.triangle);
+      found.phi = closest.distance;
+      const Vec3 away = samples_[s] - closest.point;
+      if (away.norm() > kOnSurface) found.normal = std::copysign(1.0, closest.distance) * away.normalized();
+    });
+  }
+
+  /// Samples that still lack distance are in folds too narrow for their triangles: they settle for less.
+  void giveWay() {
+    for (size_t s = 0; s < samples_.size(); ++s)
+      if (found_[s].phi < wanted_[s]) wanted_[s] *= 0.5;
+  }
+
+  /// Every vertex follows the worst of the samples that it carries; false if nothing had to move.
+  bool pushOut(bool exactly) {
+    lookUp(exactly);
+    std::vector<double> most(garment_.mesh.positions.rows(), 0.0);
+    std::vector<Vec3> out(most.size(), Vec3::Zero());
+    for (size_t s = 0; s < samples_.size(); ++s) {
+      const double lack = wanted_[s] - found_[s].phi;
+      for (int k = 0; k < corners_[s].count; ++k) {
+        const int v = corners_[s].vertex[k];
+        if (lack <= most[v]) continue;
+        most[v] = lack;
+        out[v] = found_[s].normal;
+      }
+    }
+    bool has_moved = false;
+    for (size_t v = 0; v < most.size(); ++v) {
+      if (most[v] <= 0.0) continue;
+      garment_.mesh.positions.row(v) += (most[v] + kOvershoot) * out[v];
+      has_moved = true;
+    }
+    return has_moved;
+  }
+
+  const TriangleTree& body_;
+  LoopedMesh& garment_;
+  Topology topology_;
+  std::vector<std::vector<int>> neighbours_;
+  std::vector<SampleCorners> corners_;
+  Positions start_;
+  LevelSet level_set_;
+  std::vector<double> wanted_;  // of every sample, m
+  std::vector<Vec3> samples_;
+  std::vector<LevelSetSample> found_;
+};
+
+}  // namespace
+
+std::vector<double> comfortOffsets(const Positions& positions, double offset, const std::vector<Brush>& regions) {
+  std::vector<double> offsets(positions.rows(), offset);
+  for (size_t v = 0; v < offsets.size(); ++v)
+    for (const Brush& region : regions)
+      offsets[v] += brushWeight(region, positions.row(v)) * (region.value - offsets[v]);
+  return offsets;
+}
+
+int moveClear(const TriangleTree& body, const std::vector<double>& offsets, LoopedMesh& garment) {
+  return Mover(body, offsets, garment)(offsets);
+}
+
+}  // namespace ease

@@ -1,0 +1,28 @@
+// An open mesh whose boundary is named loops: what the tools make, one after the other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/mesh/triangle_mesh.h"
+
+namespace ease {
+
+struct NamedLoop {
+  std::string name;
+  std::vector<int> vertices;  // in order, each once
+};
+
+struct LoopedMesh {
+  TriangleMesh mesh;
+  std::vector<NamedLoop> loops;
+};
+
+/// Positions of these vertices, m.
+std::vector<Vec3> positionsOf(const std::vector<int>& vertices, const Positions& positions);
+
+/// `mesh` with the names of `before`'s loops: each boundary loop has that of the one it lies nearest to.  Throws
+/// ComputationError naming a loop that was lost, as when the mesh is too coarse to pass around an arm.
+LoopedMesh withLoopNames(TriangleMesh mesh, const LoopedMesh& before);
+
+}  // namespace ease

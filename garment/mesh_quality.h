@@ -1,0 +1,24 @@
+// How good an authored mesh is: its triangles' shape and size, its distance to the body, whether it crosses itself.
+#pragma once
+
+#include <vector>
+
+#include "collision/triangle_tree.h"
+#include "solver/mesh/triangle_mesh.h"
+
+namespace ease {
+
+struct MeshQuality {
+  int vertices = 0, triangles = 0;
+  double smallest_angle_deg = 0.0, largest_angle_deg = 0.0;
+  double share_from_20_deg = 0.0;  // of triangles, smallest angle 20 degrees or more
+  double shortest_edge_m = 0.0, mean_edge_m = 0.0, longest_edge_m = 0.0;
+  int self_intersections = 0;  // pairs of triangles that cross
+  double vertex_distance_m = 0.0, midpoint_distance_m = 0.0, centroid_distance_m = 0.0;  // least, to the body
+  int too_near = 0;  // vertices, midpoints and centroids nearer than the comfort offset by more than 0.01 mm
+};
+
+/// `offsets`: comfort at every vertex, m.
+MeshQuality meshQuality(const TriangleMesh& mesh, const TriangleTree& body, const std::vector<double>& offsets);
+
+}  // namespace ease

@@ -1,0 +1,232 @@
+#include "garment/seam.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+
+#include "garment/seam_straightening.h"
+#include "garment/surface_path.h"
+#include "solver/mesh/error.h"
+
+namespace ease {
+namespace {
+
+[[noreturn]] void refuse(const std::string& seam, const std::string& fault) {
+  throw InputError(fmt::format("seam '{}': {}", seam, fault));
+}
+
+class SeamFinder {
+ public:
+  explicit SeamFinder(const LoopedMesh& garment)
+      : garment_(garment), topology_(buildTopology(garment.mesh, "garment")), paths_(garment.mesh, topology_) {
+    neighbours_.resize(garment.mesh.positions.rows());
+    for (const Edge& edge : topology_.edges)
+      for (const int k : {0, 1}) neighbours_[edge.vertex[k]].push_back(edge.vertex[1 - k]);
+    is_boundary_.resize(neighbours_.size(), 0);
+    for (const std::vector<int>& loop : topology_.boundary_loops)
+      for (const int v : loop) is_boundary_[v] = 1;
+    double sum = 0.0;
+    for (const Edge& edge : topology_.edges) sum += (at(edge.vertex[0]) - at(edge.vertex[1])).norm();
+    edge_length_ = sum / static_cast<double>(topology_.edges.size());
+  }
+
+  const Topology& topology() const { return topology_; }
+
+  SeamLine line(const SeamRequest& request) const {
+    if (request.plane) return inPlane(request);
+    return request.from.empty() ? closedThrough(request) : betweenLoops(request);
+  }
+
+  /// The mesh's edges along a line.
+  Seam chain(const std::string& name, const SeamLine& line) const {
+    Seam seam{name, {}, line.is_closed};
+    const size_t n = line.points.size();
+    if (!line.is_closed) {
+      seam.vertices = chainBetween(name, line, nearestVertex(line.points.front(), true),
+                                   nearestVertex(line.points.back(), true), {});
+    } else {  // in three parts, or the shortest way would be to stay
+      std::vector<int> corners;
+      for (size_t k = 0; k < 3; ++k) corners.push_back(nearestVertex(line.points[k * n / 3], false));
+      for (size_t k = 0; k < 3; ++k) {
+        const std::vector<int> part =
+            chainBetween(name, line, corners[k], corners[(k + 1) % 3], {seam.vertices, corners[(k + 2) % 3], k == 1});
+        seam.vertices.insert(seam.vertices.end(), part.begin(), part.end() - 1);
+      }
+    }
+    shorten(seam);
+    if (seam.vertices.size() < (seam.is_closed ? 3U : 2U)) refuse(name, "too short for the size of the triangles");
+    return seam;
+  }
+
+ private:
+  Vec3 at(int v) const { return garment_.mesh.positions.row(v); }
+
+  const std::vector<int>& loopNamed(const std::string& seam, const std::string& name) const {
+    std::vector<std::string> names;
+    for (const NamedLoop& loop : garment_.loops) {
+      if (loop.name == name) return loop.vertices;
+      names.push_back("'" + loop.name + "'");
+    }
+    refuse(seam, fmt::format("loop '{}': expected one of {}", name, fmt::join(names, ", ")));
+  }
+
+  SeamLine inPlane(const SeamRequest& request) const {
+    const Vec3 normal = request.plane->normal.normalized();
+    std::vector<double> heights(neighbours_.size());
+    for (size_t v = 0; v < heights.size(); ++v) heights[v] = normal.dot(at(static_cast<int>(v)) - request.plane->point);
+    SeamLine best{{}, false};
+    double least = std::numeric_limits<double>::infinity();
+    for (const EdgeCurve& curve : isolines(topology_, heights)) {
+      const std::vector<Vec3> points = placed(curve, garment_.mesh.positions);
+      const double distance = polygonDistance(points, curve.is_closed, request.plane->near);
+      if (distance >= least) continue;
+      least = distance;
+      best = {points, curve.is_closed};
+    }
+    if (best.points.empty()) refuse(request.name, "its plane does not cut the garment");
+    return best;
+  }
+
+  void append(const std::string& seam, int from, int to, std::vector<Vec3>& points) const {
+    const auto path = paths_.shortest(from, to);
+    if (!path) refuse(seam, "it joins parts of the garment that are not connected");
+    for (const int node : *path) points.push_back(paths_.position(node));
+  }
+
+  SeamLine closedThrough(const SeamRequest& request) const {
+    if (request.points.size() < 3)
+      refuse(request.name, fmt::format("{} points: a closed seam needs at least 3", request.points.size()));
+    SeamLine line{{}, true};
+    for (size_t i = 0; i < request.points.size(); ++i)
+      append(request.name, paths_.nearestNode(request.points[i]),
+             paths_.nearestNode(request.points[(i + 1) % request.points.size()]), line.points);
+    return line;
+  }
+
+  /// Begins and ends where the loops are nearest to what comes next.
+  SeamLine betweenLoops(const SeamRequest& request) const {
+    const std::vector<int>&from = loopNamed(request.name, request.from), &to = loopNamed(request.name, request.to);
+    const auto nearestTo = [&](const std::vector<int>& loop, const Vec3& x) {
+      return *std::min_element(loop.begin(), loop.end(),
+                               [&](int p, int q) { return (at(p) - x).squaredNorm() < (at(q) - x).squaredNorm(); });
+    };
+    int start = from.front(), end = to.front();
+    if (!request.points.empty()) {
+      start = nearestTo(from, request.points.front());
+      end = nearestTo(to, request.points.back());
+    } else {
+      for (const int v : from)
+        if ((at(v) - at(nearestTo(to, at(v)))).norm() < (at(start) - at(nearestTo(to, at(start)))).norm()) start = v;
+      end = nearestTo(to, at(start));
+    }
+    if (start == end) refuse(request.name, "it begins where it ends");
+    SeamLine line{{at(start)}, false};
+    int node = paths_.nearestNodeOf(start);
+    for (const Vec3& x : request.points) {
+      const int next = paths_.nearestNode(x);
+      append(request.name, node, next, line.points);
+      node = next;
+    }
+    append(request.name, node, paths_.nearestNodeOf(end), line.points);
+    line.points.push_back(at(end));
+    return line;
+  }
+
+  int nearestVertex(const Vec3& x, bool on_boundary) const {
+    int nearest = -1;
+    for (int v = 0; v < static_cast<int>(neighbours_.size()); ++v)
+      if (static_cast<bool>(is_boundary_[v]) == on_boundary &&
+          (nearest < 0 || (at(v) - x).squaredNorm() < (at(nearest) - x).squaredNorm()))
+        nearest = v;
+    return nearest;
+  }
+
+  /// What a part of a closed chain must keep away from.
+  struct Taken {
+    std::vector<int> chain;
+    int corner = -1;
+    bool is_second = false;
+  };
+
+  /// Dijkstra, where edges cost the more the further they are from the line.  Inside the garment but for its ends.
+  std::vector<int> chainBetween(const std::string& name, const SeamLine& line, int from, int to,
+                                const Taken& taken) const {
+    constexpr double kDetour = 4.0;  // cost of an edge a mean edge's length away from the line, in edges on it
+    std::vector<char> is_closed_off(is_boundary_);
+    for (const int v : taken.chain) is_closed_off[v] = 1;
+    if (taken.corner >= 0) is_closed_off[taken.corner] = 1;
+    is_closed_off[from] = is_closed_off[to] = 0;
+    std::vector<double> cost(neighbours_.size(), std::numeric_limits<double>::infinity()),
+        off(neighbours_.size(), -1.0);
+    std::vector<int> before(neighbours_.size(), -1);
+    const auto offLine = [&](int v) {
+      if (off[v] < 0.0) off[v] = (nearestOn(line, at(v)) - at(v)).squaredNorm() / (edge_length_ * edge_length_);
+      return off[v];
+    };
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    cost[from] = 0.0;
+    front.push({0.0, from});
+    while (!front.empty()) {
+      const auto [reached, v] = front.top();
+      front.pop();
+      if (v == to) break;
+      if (reached > cost[v]) continue;
+      for (const int w : neighbours_[v]) {
+        if (is_closed_off[w]) continue;
+        const double next = reached + (at(v) - at(w)).norm() * (1.0 + 0.5 * kDetour * (offLine(v) + offLine(w)));
+        if (next >= cost[w]) continue;
+        cost[w] = next;
+        before[w] = v;
+        front.push({next, w});
+      }
+    }
+    if (from == to || before[to] < 0) refuse(name, "the triangles are too large for it");
+    std::vector<int> chain = {to};
+    while (chain.back() != from) chain.push_back(before[chain.back()]);
+    std::reverse(chain.begin(), chain.end());
+    return chain;
+  }
+
+  /// Leaves out vertices whose neighbours in the chain are neighbours of each other: straightened, that triangle would
+  /// be flat.
+  void shorten(Seam& seam) const {
+    std::vector<int>& chain = seam.vertices;
+    for (size_t i = 1; i + 1 < chain.size();) {
+      const std::vector<int>& around = neighbours_[chain[i - 1]];
+      if (std::find(around.begin(), around.end(), chain[i + 1]) != around.end()) {
+        chain.erase(chain.begin() + static_cast<long>(i));
+      } else {
+        ++i;
+      }
+    }
+  }
+
+  const LoopedMesh& garment_;
+  Topology topology_;
+  SurfacePaths paths_;
+  std::vector<std::vector<int>> neighbours_;
+  std::vector<char> is_boundary_;
+  double edge_length_;  // mean, m
+};
+
+}  // namespace
+
+std::vector<Seam> findSeams(const std::vector<SeamRequest>& requests, LoopedMesh& garment) {
+  std::vector<Seam> seams;
+  if (requests.empty()) return seams;
+  const SeamFinder finder(garment);
+  std::vector<SeamLine> lines;
+  for (const SeamRequest& request : requests) {
+    lines.push_back(finder.line(request));
+    seams.push_back(finder.chain(request.name, lines.back()));
+  }
+  straightenSeams(seams, lines, finder.topology(), garment.mesh);
+  return seams;
+}
+
+}  // namespace ease
