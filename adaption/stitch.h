@@ -31,6 +31,10 @@ class Stitcher {
   /// Gives the cloth the rest shape nearest to its triangles scaled by these factors, above or below 1.
   void rescale(Cloth& cloth, const std::vector<double>& scales);
 
+  /// D' of every triangle so far, m: all that is remembered; and to go on from there.
+  const std::vector<Mat2>& wanted() const { return wanted_; }
+  void restore(const std::vector<Mat2>& wanted) { wanted_ = wanted; }
+
  private:
   void fitWanted(Cloth& cloth, int iterations);
 

@@ -21,6 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr const char* kCheckpoint = "checkpoint.bin";
 constexpr double kWorrying = 2e-3;  // m: into the body, worth a warning
 
 double secondsSince(Clock::time_point start) {
@@ -51,8 +52,8 @@ struct LastPose {
 class Job {
  public:
   Job(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-      const std::atomic<bool>& interrupted)
-      : scene_(scene), input_(input), directory_(directory), interrupted_(interrupted) {}
+      const std::optional<Checkpoint>& from, const std::atomic<bool>& interrupted)
+      : scene_(scene), input_(input), directory_(directory), from_(from), interrupted_(interrupted) {}
 
   bool operator()() {
     const Clock::time_point start = Clock::now();
@@ -78,14 +79,19 @@ class Job {
  private:
   /// Those of an earlier run that this one may not write again.
   void removeOldResults() const {
+    if (!from_) std::filesystem::remove(directory_ / kCheckpoint);
     for (const char* name :
          {"report.json", "stretch.png", "garment.pvd", "body.pvd", "rest.pvd", "rest_shape.obj", "rest_shape.vtp"}) {
       if (std::filesystem::is_directory(directory_ / name))
         throw InputError(
             fmt::format("{}: is a directory: a result of that name is to be written", (directory_ / name).string()));
-      std::filesystem::remove(directory_ / name);
+      const bool goes_on = from_ && std::filesystem::path(name).extension() == ".pvd";
+      if (!goes_on) std::filesystem::remove(directory_ / name);
     }
   }
+
+  /// s of motion; -1: from the start.
+  double resumedAt() const { return from_ ? (from_->time_steps + 0.5) * from_->time_step_s : -1.0; }
 
   void setUp() {
     cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
@@ -122,9 +128,14 @@ class Job {
     std::optional<SeriesOfRun> series;
     RunOptions run_options = options(true, scene_.adaption ? "adapting" : "simulating");
     if (scene_.output) {
-      series.emplace(directory_, input_.garment.triangles, input_.body_triangles);
+      series.emplace(directory_, input_.garment.triangles, input_.body_triangles, resumedAt());
       run_options.series = &*series;
     }
+    run_options.keep = [&](const Checkpoint& checkpoint) {
+      if (series) series->finish();  // its frames are there before what goes on from them
+      writeCheckpoint(directory_ / kCheckpoint, checkpoint);
+    };
+    run_options.from = from_ ? &*from_ : nullptr;
     const auto finish = [&] {
       if (series) series->finish();
       measureGrowth(first_inverse_, sum(first_areas_), *cloth_, report_);
@@ -202,6 +213,7 @@ class Job {
   const Scene& scene_;
   const SceneInput& input_;
   const std::filesystem::path directory_;
+  const std::optional<Checkpoint>& from_;
   const std::atomic<bool>& interrupted_;
 
   std::optional<Cloth> cloth_;
@@ -217,9 +229,25 @@ class Job {
 
 }  // namespace
 
+Checkpoint checkpointIn(const std::filesystem::path& directory, const Scene& scene, const SceneInput& input) {
+  const std::filesystem::path file = directory / kCheckpoint;
+  const Checkpoint from = readCheckpoint(file);
+  const auto expectSame = [&](const char* key, double before, double now) {
+    if (before != now)
+      throw InputError(fmt::format("{}: {} was {:g} and is {:g}: expected the same, to go on from there", file.string(),
+                                   key, before, now));
+  };
+  expectSame("the garment's number of vertices", from.state.positions.rows(), input.garment.positions.rows());
+  expectSame("the garment's number of triangles", from.rest_edges.size(), input.garment.triangles.rows());
+  expectSame("[solver] time_step", from.time_step_s, scene.solver.time_step);
+  expectSame("[solver] steps_per_pose", from.steps_per_pose, scene.solver.steps_per_pose);
+  expectSame("[body] steps", from.interpolation_steps, scene.body ? scene.body->steps : 0);
+  return from;
+}
+
 bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-              const std::atomic<bool>& interrupted) {
-  return Job(scene, input, directory, interrupted)();
+              const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& from) {
+  return Job(scene, input, directory, from, interrupted)();
 }
 
 }  // namespace ease

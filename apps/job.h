@@ -3,14 +3,20 @@
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 
+#include "apps/checkpoint.h"
 #include "apps/scene.h"
 
 namespace ease {
 
 /// Simulates, adapts, verifies and writes into `directory`, which exists.  Returns false if `interrupted` became true
-/// on the way; what is on disk then is whole.  Throws ComputationError, likewise.
+/// on the way; what is on disk then is whole.  Throws ComputationError, likewise.  `from`: goes on from there.
 bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-              const std::atomic<bool>& interrupted);
+              const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& from = std::nullopt);
+
+/// The checkpoint that an earlier run left in `directory`.  Throws InputError where there is none, or where the scene
+/// is not one that can go on from it.
+Checkpoint checkpointIn(const std::filesystem::path& directory, const Scene& scene, const SceneInput& input);
 
 }  // namespace ease

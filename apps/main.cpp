@@ -40,6 +40,7 @@ constexpr const char* kRunExamples = R"(
 Examples:
   ease run scenes/t-shirt.toml
   ease run scenes/t-shirt.toml -o out/shirt --threads 1
+  ease run scenes/t-shirt.toml --resume results/t-shirt      goes on where it was interrupted
 Open garment.pvd, body.pvd and rest.pvd of the results in ParaView; report.json has the figures.
 Ctrl-C ends a run early and leaves what is written whole; once more, it ends at once.)";
 
@@ -56,6 +57,7 @@ struct Arguments {
   std::string scene;
   std::string directory;  // empty: results/<name>
   int threads = -1;       // -1: as the scene says
+  std::string resumed;    // directory of an earlier run to go on from, or empty
   bool pieces = false;    // of `ease garment`
 };
 
@@ -132,7 +134,8 @@ ExitCode checkCommand(const Arguments& arguments) {
 }
 
 fs::path directoryOf(const Arguments& arguments, const Scene& scene) {
-  return arguments.directory.empty() ? fs::path("results") / scene.name : fs::path(arguments.directory);
+  if (!arguments.directory.empty()) return arguments.directory;
+  return arguments.resumed.empty() ? fs::path("results") / scene.name : fs::path(arguments.resumed);
 }
 
 ExitCode garmentCommand(const Arguments& arguments) {
@@ -162,10 +165,12 @@ ExitCode runCommand(const Arguments& arguments) {
     const SceneInput input = readWithWarnings(scene);
     divisionFor(scene, input);  // refuses what cannot be simulated
     if (interrupted) return interruptedBeforeWriting();
+    std::optional<Checkpoint> from;
+    if (!arguments.resumed.empty()) from = checkpointIn(arguments.resumed, scene, input);
     prepareDirectory(directory);
     if (input.authored) writeGarment(scene, input, directory);
     try {
-      if (runScene(scene, input, directory, interrupted)) return kDone;
+      if (runScene(scene, input, directory, interrupted, from)) return kDone;
     } catch (const ComputationError& error) {
       throw ComputationError(fmt::format("{}; what was written until then is in {}", error.what(), directory.string()));
     }
@@ -209,6 +214,10 @@ ExitCode commandLine(int argc, char** argv) {
       ->check([](const std::string& directory) { return directory.empty() ? "expected a directory's name" : ""; });
   run->add_option("--threads", arguments.threads, "Number of threads, 0 for all; by default as the scene says")
       ->check(CLI::Range(0, 1024));
+  run->add_option("--resume", arguments.resumed,
+                  "Go on where the run in this directory stopped; the scene may have other pins, material, offset, "
+                  "adaption, method, or more poses or cycles.  Results go there too, unless -o says otherwise")
+      ->check([](const std::string& directory) { return directory.empty() ? "expected a directory's name" : ""; });
   run->footer(kRunExamples);
   CLI::App* check = app.add_subcommand("check", "Read and check all that run would use; compute nothing");
   check->add_option("SCENE", arguments.scene, "Scene file, TOML")->required();

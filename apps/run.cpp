@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "adaption/clip.h"
 #include "adaption/stitch.h"
@@ -81,8 +82,10 @@ class Run {
 
   void operator()() {
     const std::vector<Moment> moments = timeline(scene_, options_.adapting);
-    begin(moments.empty() ? 0 : static_cast<int>(std::lround(moments.front().body)));
-    for (const Moment& moment : moments) {
+    const size_t done = options_.from ? options_.from->time_steps * record_.division.time_steps : 0;
+    const double body = done == 0 ? 0.0 : moments[std::min(done, moments.size()) - 1].body;
+    begin(body, done < moments.size() ? moments[done].body : body);
+    for (const Moment& moment : std::span(moments).subspan(std::min(done, moments.size()))) {
       if (options_.interrupted && *options_.interrupted) return;
       try {
         advance(moment);
@@ -94,30 +97,76 @@ class Run {
       if (moment.measured) measure(moment);
       if (moment.adapts) adapt();
       if (moment.written && options_.series) write(moment);
+      if (moment.kept && options_.keep) keep(moment);
       if (options_.on_step) options_.on_step(moment);
     }
   }
 
  private:
-  /// `first_level_set`: that the first step needs; 1 where the body is nearer to the next pose at its end.
-  void begin(int first_level_set) {
-    state_.positions = input_.garment.positions;
-    state_.velocities.setZero(vertex_count_, 3);
-    for (size_t k = 0; k < input_.pins.size(); ++k) {
-      auto& vertices = scene_.garment.pins[k].to_body ? body_pinned_ : fixed_;
-      vertices.insert(vertices.end(), input_.pins[k].begin(), input_.pins[k].end());
-    }
-    pins_.vertices = body_pinned_;
-    pins_.vertices.insert(pins_.vertices.end(), fixed_.begin(), fixed_.end());
+  /// `body` and `next_body`: s now and after the first step.
+  void begin(double body, double next_body) {
+    state_ = {input_.garment.positions, Positions::Zero(vertex_count_, 3)};
+    if (options_.from) goOn(*options_.from);
     if (body_) {
       sampleOffsets(input_.offsets, cloth_.triangles(), cloth_.topology().edges, sample_offsets_);
       sampleCloth(state_.positions, cloth_.triangles(), cloth_.topology().edges, samples_);
-      for (int k = 0; k <= first_level_set; ++k) body_->prepare(k, samples_);
-      body_pins_ = std::make_unique<BodyPins>(body_pinned_, state_.positions, input_.poses.front(), body_->triangles());
+      for (long k = std::lround(body); k <= std::lround(next_body); ++k) body_->prepare(static_cast<int>(k), samples_);
     }
-    const Moment start{0, 0.0, 0.0, -1, body_ ? 0 : -1, false, true, options_.series != nullptr};
+    pin(body);
+    if (options_.from) return;
+    const Moment start{0, 0.0, 0.0, -1, body_ ? 0 : -1, false, true, options_.series != nullptr, false};
     measure(start);
     if (options_.series) write(start);
+  }
+
+  void goOn(const Checkpoint& from) {
+    state_ = from.state;
+    cloth_.setRest(from.rest_positions, from.rest_edges);
+    if (stitcher_ && !from.wanted_edges.empty()) stitcher_->restore(from.wanted_edges);
+  }
+
+  /// Vertices pinned from the start keep their place on the first pose; those that a changed scene pins while going on,
+  /// the place where they are.
+  void pin(double body) {
+    std::vector<int> tied[2];  // to the body: from the start; from now
+    const std::vector<int> none, &before = options_.from ? options_.from->pinned : none;
+    for (size_t k = 0; k < input_.pins.size(); ++k)
+      for (const int v : input_.pins[k]) {
+        const bool now = options_.from && std::find(before.begin(), before.end(), v) == before.end();
+        if (scene_.garment.pins[k].to_body) {
+          tied[now].push_back(v);
+        } else {
+          fixed_.push_back(v);
+          fixed_at_.emplace_back((now ? state_.positions : input_.garment.positions).row(v));
+        }
+      }
+    for (const int now : {0, 1}) {
+      if (!body_ || tied[now].empty()) continue;
+      Positions surface = input_.poses.front();
+      if (now) body_->positions(body, surface);
+      body_pins_.emplace_back(tied[now], now ? state_.positions : input_.garment.positions, surface,
+                              body_->triangles());
+      pins_.vertices.insert(pins_.vertices.end(), tied[now].begin(), tied[now].end());
+    }
+    pins_.vertices.insert(pins_.vertices.end(), fixed_.begin(), fixed_.end());
+  }
+
+  void keep(const Moment& moment) {
+    const Stopwatch watch(record_.output_s);
+    const int parts = record_.division.time_steps;
+    Checkpoint checkpoint;
+    checkpoint.time_steps = moment.step / parts;
+    checkpoint.time_step_s = scene_.solver.time_step * parts;
+    checkpoint.steps_per_pose = scene_.solver.steps_per_pose * record_.division.interpolation_steps / parts;
+    checkpoint.interpolation_steps = scene_.body ? scene_.body->steps / record_.division.interpolation_steps : 0;
+    checkpoint.state = state_;
+    checkpoint.rest_positions = cloth_.restPositions();
+    checkpoint.rest_edges = cloth_.restEdges();
+    if (stitcher_) checkpoint.wanted_edges = stitcher_->wanted();
+    checkpoint.pinned = pins_.vertices;
+    options_.keep(checkpoint);
+    step_.forget();
+    contacts_.forget();
   }
 
   void advance(const Moment& moment) {
@@ -155,8 +204,8 @@ class Run {
 
   void placePins(const Moment& moment) {
     pins_.positions.clear();
-    if (body_) body_pins_->place(body_->at(moment.body), pins_.positions);
-    for (int v : fixed_) pins_.positions.push_back(input_.garment.positions.row(v));
+    for (const BodyPins& tied : body_pins_) tied.place(body_->at(moment.body), pins_.positions);
+    pins_.positions.insert(pins_.positions.end(), fixed_at_.begin(), fixed_at_.end());
   }
 
   void findContacts(const Moment& moment, const Positions& x, Contacts& contacts) {
@@ -221,11 +270,12 @@ class Run {
   std::optional<StretchClip> clip_;
   std::optional<Stitcher> stitcher_;
   int vertex_count_, edge_count_;
-  double most_recovery_;                  // m in a time step
-  double contact_stiffness_;              // N/m^3
-  int motion_steps_;                      // without settling
-  std::vector<int> body_pinned_, fixed_;  // vertices
-  std::unique_ptr<BodyPins> body_pins_;
+  double most_recovery_;        // m in a time step
+  double contact_stiffness_;    // N/m^3
+  int motion_steps_;            // without settling
+  std::vector<int> fixed_;      // vertices
+  std::vector<Vec3> fixed_at_;  // m
+  std::vector<BodyPins> body_pins_;
   Pins pins_;
   std::vector<Vec3> samples_, expected_samples_;
   std::vector<double> sample_offsets_, distances_, gap_, pressure_;
@@ -236,9 +286,10 @@ class Run {
 }  // namespace
 
 SeriesOfRun::SeriesOfRun(const std::filesystem::path& directory, const Triangles& garment_triangles,
-                         const Triangles& body_triangles)
-    : garment(directory, "garment", garment_triangles), rest(directory, "rest", garment_triangles) {
-  if (body_triangles.rows() > 0) body.emplace(directory, "body", body_triangles);
+                         const Triangles& body_triangles, double keep_until)
+    : garment(directory, "garment", garment_triangles, keep_until),
+      rest(directory, "rest", garment_triangles, keep_until) {
+  if (body_triangles.rows() > 0) body.emplace(directory, "body", body_triangles, keep_until);
 }
 
 void SeriesOfRun::finish() {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "apps/checkpoint.h"
 #include "apps/report.h"
 #include "apps/scene.h"
 #include "apps/timeline.h"
@@ -21,8 +22,9 @@ struct SeriesOfRun {
   Series garment, rest;
   std::optional<Series> body;
   /// `body_triangles` may be empty: no body.
+  /// Goes on with earlier series up to `keep_until`, s.
   SeriesOfRun(const std::filesystem::path& directory, const Triangles& garment_triangles,
-              const Triangles& body_triangles);
+              const Triangles& body_triangles, double keep_until = -1.0);
   void finish();
 };
 
@@ -32,6 +34,8 @@ struct RunOptions {
   const std::vector<double>* first_areas = nullptr;  // of the first rest shape, m^2
   std::function<void(const Moment&)> on_step;        // after every step
   const std::atomic<bool>* interrupted = nullptr;
+  std::function<void(const Checkpoint&)> keep;  // given now and then
+  const Checkpoint* from = nullptr;             // go on from there; none: from the start
 };
 
 /// The body of a scene, its poses as close as the motion wants them (timeline.h).

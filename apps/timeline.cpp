@@ -13,7 +13,8 @@ namespace ease {
 
 namespace {
 
-constexpr double kNear = 0.05;              // m: of the garment's box, where the body's motion matters
+constexpr double kNear = 0.05;  // m: of the garment's box, where the body's motion matters
+constexpr int kFramesACheckpoint = 10;
 constexpr int kMostParts = 256;             // of a time step
 constexpr double kMostMotionOfPose = 0.03;  // m, in an interpolation step
 
@@ -32,7 +33,7 @@ std::vector<Moment> timeline(const Scene& scene, bool adapting) {
 
   std::vector<Moment> moments;
   for (int step = 1; step <= count; ++step) {
-    Moment m{step, step * scene.solver.time_step, bodyAt(step), -1, -1, false, false, false};
+    Moment m{step, step * scene.solver.time_step, bodyAt(step), -1, -1, false, false, false, false};
     const long next = std::lround(bodyAt(step + 1));
     if (poses > 1 && next != std::lround(m.body)) m.next_level_set = static_cast<int>(next);
     if (poses > 1 && step <= motion && step % (per_pose * steps_between) == 0) {
@@ -43,6 +44,8 @@ std::vector<Moment> timeline(const Scene& scene, bool adapting) {
     m.adapts = adapts && step % every == 0;
     m.written = adapting && scene.output && (step % scene.output->every == 0 || step == count);
     m.measured = m.written || m.adapts || m.pose >= 0 || step % every == 0 || step == count;
+    const bool tenth_frame = scene.output && step % (kFramesACheckpoint * scene.output->every) == 0;
+    m.kept = adapting && (tenth_frame || m.pose >= 0 || step == count);
     moments.push_back(m);
   }
   return moments;

@@ -16,6 +16,7 @@ struct Moment {
   int next_level_set;              // to be prepared while this step is computed, since the next one needs it; -1: none
   int pose;                        // reached now; -1: none
   bool adapts, measured, written;  // what is written or adapted has been measured
+  bool kept;                       // as a checkpoint, from which a later run can go on
 };
 
 /// `adapting`: the run that adapts, with its cycles and its settling; otherwise once through the motion.

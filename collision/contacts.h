@@ -63,6 +63,9 @@ class ContactFinder {
   /// moment.
   void distancesSinceFind(std::span<const Vec3> samples, std::vector<double>& distances) const;
 
+  /// Makes the next find() independent of earlier ones.
+  void forget() { found_.clear(); }
+
   const ContactRescues& rescues() const { return rescues_; }
 
  private:

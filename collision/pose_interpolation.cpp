@@ -171,6 +171,10 @@ void PoseInterpolation::unwindRotations(const Triangles& triangles) {
 }
 
 void PoseInterpolation::at(double s, Positions& x) {
+  if (s == 0.0 || s == 1.0) {  // a motion that ends here and one that goes on have the same pose, to the last bit
+    x = s == 0.0 ? from_ : to_;
+    return;
+  }
   parallelFor(static_cast<int>(triangles_.rows()), 512, [&](int t) {
     targets_[t] = rotationMatrix(s * rotations_[t]) * ((1.0 - s) * frames_[t] + s * stretches_[t]);
   });

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <condition_variable>
+#include <cstdlib>
 #include <deque>
 #include <exception>
+#include <fstream>
 #include <mutex>
 #include <string_view>
 #include <system_error>
@@ -75,19 +77,45 @@ struct Series::Data {
   std::thread writer;
 
   fs::path list() const { return directory / (name + ".pvd"); }
+  void keepUntil(double time_s);
   void removeEarlier() const;
+  void writeList() const;
   void writeFrame(const TimedFrame& next);
   void writeFrames();
 };
 
+// Takes over the lines of the list up to that time, and cuts the list after them.
+void Series::Data::keepUntil(double time_s) {
+  std::ifstream in(list());
+  for (std::string line; std::getline(in, line);) {
+    const std::string key = "timestep=\"";
+    const std::size_t at = line.find(key);
+    if (at == std::string::npos) continue;
+    if (std::strtod(line.c_str() + at + key.size(), nullptr) > time_s) break;
+    listed += line + '\n';
+    ++frames;
+  }
+  if (frames > 0) writeList();
+}
+
+void Series::Data::writeList() const {
+  writeWholeFile(list(), fmt::format("<?xml version=\"1.0\"?>\n"
+                                     "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+                                     "  <Collection>\n{}  </Collection>\n"
+                                     "</VTKFile>\n",
+                                     listed));
+}
+
 // The list goes first: at no moment does it name a frame that is gone.
 void Series::Data::removeEarlier() const {
-  removeFile(list());
+  if (frames == 0) removeFile(list());
   removeFile(temporaryName(list()));
   std::error_code error;
   std::vector<fs::path> frames_found;
   for (fs::directory_iterator entry(directory / name, error), end; !error && entry != end; entry.increment(error)) {
-    if (isFrame(entry->path().filename().string(), name)) frames_found.push_back(entry->path());
+    const std::string file = entry->path().filename().string();
+    const bool kept = listed.find("/" + file + "\"") != std::string::npos;
+    if (isFrame(file, name) && !kept) frames_found.push_back(entry->path());
   }
   if (error) fail("read directory", directory / name, error);
   for (const fs::path& file : frames_found) removeFile(file);
@@ -97,11 +125,7 @@ void Series::Data::writeFrame(const TimedFrame& next) {
   const std::string file = fmt::format("{0}/{0}_{1:06}.vtp", name, frames);
   writeVtp(directory / file, triangles, next.frame);
   listed += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", next.time, file);
-  writeWholeFile(list(), fmt::format("<?xml version=\"1.0\"?>\n"
-                                     "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-                                     "  <Collection>\n{}  </Collection>\n"
-                                     "</VTKFile>\n",
-                                     listed));
+  writeList();
   ++frames;
 }
 
@@ -128,12 +152,13 @@ void Series::Data::writeFrames() {
   }
 }
 
-Series::Series(const fs::path& directory, const std::string& name, const Triangles& triangles)
+Series::Series(const fs::path& directory, const std::string& name, const Triangles& triangles, double keep_until)
     : data_(std::make_unique<Data>()) {
   data_->directory = directory;
   data_->name = name;
   data_->triangles = triangles;
   makeDirectory(directory / name);
+  data_->keepUntil(keep_until);
   data_->removeEarlier();
   data_->writer = std::thread([data = data_.get()] { data->writeFrames(); });
 }

@@ -16,9 +16,10 @@ namespace ease {
 class Series {
  public:
   /// Frames go to DIR/NAME/NAME_000000.vtp, ..., their list to DIR/NAME.pvd; NAME is letters, digits, '-' and '_'.
-  /// Makes the directories and removes an earlier series of that name.  Throws ComputationError naming what could not
-  /// be made or removed.
-  Series(const std::filesystem::path& directory, const std::string& name, const Triangles& triangles);
+  /// Makes the directories and removes an earlier series of that name, or goes on with it: its frames up to
+  /// `keep_until` (s) stay.  Throws ComputationError naming what could not be made or removed.
+  Series(const std::filesystem::path& directory, const std::string& name, const Triangles& triangles,
+         double keep_until = -1.0);
   ~Series();  // finishes; errors are lost: call finish() to see them
 
   /// Queues a frame (waits while several are under way).  Throws ComputationError, naming the file and the reason, if

@@ -23,6 +23,9 @@ class Newton {
   MinimiserSummary minimise(IncrementalPotential& potential, const std::vector<char>& fixed, const StopRule& stop,
                             Point& point);
 
+  /// Makes the next minimise() independent of earlier ones.
+  void forget() { system_.forgetFactor(); }
+
  private:
   bool direct(IncrementalPotential& potential, Curvature kind, const Point& point, MinimiserSummary& summary);
 

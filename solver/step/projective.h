@@ -31,6 +31,12 @@ class Projective {
   MinimiserSummary minimise(IncrementalPotential& potential, const std::vector<char>& fixed, const StopRule& stop,
                             bool accelerated, Point& point);
 
+  /// Makes the next minimise() independent of earlier ones.
+  void forget() {
+    rest_revision_ = -1;
+    pair_count_ = 0;
+  }
+
  private:
   struct Pair {
     Positions s, y;  // change of position, change of gradient

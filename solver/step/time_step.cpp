@@ -99,6 +99,12 @@ void TimeStep::minimise(StepSummary& summary) {
   newton({kMostNewton, options_.tolerance}, summary);
 }
 
+void TimeStep::forget() {
+  if (newton_) newton_->forget();
+  if (projective_) projective_->forget();
+  newton_steps_left_ = 0;
+}
+
 StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins& pins,
                            const FindContacts& find_contacts) {
   StepSummary summary;

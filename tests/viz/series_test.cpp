@@ -165,6 +165,22 @@ TEST_CASE("an earlier series of the same name goes, and nothing else") {
   CHECK(filesIn(directory.path()) == expected);
 }
 
+TEST_CASE("a series goes on after the frames up to a time") {
+  const test::Directory directory;
+  const ease::TriangleMesh mesh = test::gridMesh(3);
+  {
+    ease::Series earlier(directory.path(), "garment", mesh.triangles);
+    for (int k = 0; k < 5; ++k) earlier.write(0.1 * k, {mesh.positions, {}, {}});
+  }
+  ease::Series series(directory.path(), "garment", mesh.triangles, 0.25);
+  CHECK(filesIn(directory.path() / "garment").size() == 3);
+  CHECK(readList(directory.path() / "garment.pvd").size() == 3);
+  series.write(0.3, {mesh.positions, {}, {}});
+  series.finish();
+  CHECK(readList(directory.path() / "garment.pvd").size() == 4);
+  CHECK(filesIn(directory.path() / "garment").size() == 4);
+}
+
 TEST_CASE("a directory that cannot be made is one clear error") {
   const test::Directory directory;
   std::ofstream(directory.path() / "file") << "not a directory";

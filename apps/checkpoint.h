@@ -1,0 +1,35 @@
+// All that a run needs to go on from a moment, DIR/checkpoint.bin: state of the cloth, its rest shape, what adaption
+// remembers, and the clock.
+//
+// At these moments the run itself forgets what it only remembers to be sooner (factors, pairs of L-BFGS, samples'
+// nearest triangles), so that a run that goes on from here does the same to the last bit as one that was never stopped.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "solver/mesh/triangle_gradient.h"
+#include "solver/step/state.h"
+
+namespace ease {
+
+struct Checkpoint {
+  int time_steps = 0;  // done
+  // What these are counted in; a run that goes on must have the same.
+  double time_step_s = 0.0;
+  int steps_per_pose = 0;       // time steps per interpolation step
+  int interpolation_steps = 0;  // from a pose to the next; 0: no body
+  State state;
+  Positions rest_positions;        // m
+  std::vector<Mat2> rest_edges;    // m
+  std::vector<Mat2> wanted_edges;  // of the stitcher, m; empty: no adaption so far
+  std::vector<int> pinned;         // vertices
+};
+
+/// Writes the file, temporary name first.  Throws ComputationError naming it.
+void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
+
+/// Throws InputError where there is none, where it is cut short, or was written by another version.
+Checkpoint readCheckpoint(const std::filesystem::path& file);
+
+}  // namespace ease
