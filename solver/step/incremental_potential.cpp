@@ -276,8 +276,11 @@ void IncrementalPotential::contactPressure(const Positions& x, std::vector<doubl
   pressure.assign(cloth_.vertexCount(), 0.0);
   if (!touches_) return;
   contactForces(x);
-  parallelFor(cloth_.vertexCount(), kGrain,
-              [&](int i) { pressure[i] = gatherContact(i).norm() / cloth_.vertexAreas()[i]; });
+  parallelFor(cloth_.vertexCount(), kGrain, [&](int i) {
+    double area = 0.0;
+    for (int k : triangle_corners_.of(i)) area += triangleArea(x, cloth_.triangles(), k / 3) / 3.0;
+    pressure[i] = area > 0.0 ? gatherContact(i).norm() / area : 0.0;
+  });
 }
 
 }  // namespace ease

@@ -58,7 +58,8 @@ class IncrementalPotential {
   /// that can be met within the step, at least as deep as it gives way, whether it is met at x or not.
   void contactDiagonal(const Positions& x, bool bound, std::vector<double>& diagonal);
 
-  /// Contact force on each vertex over its area, Pa, at x: from its own sample and its share of those around.
+  /// Contact force on each vertex over a third of the area around it, stretched as at x, Pa: from its own sample and
+  /// its share of those around.
   void contactPressure(const Positions& x, std::vector<double>& pressure);
 
   /// Twice the kinetic energy of moving from x_n to x within the step, J.

@@ -1,0 +1,126 @@
+// A taut tube of cloth around a cylinder.
+//
+//   s = C/C0   stretch around, of circumferences now and at rest      T = k (s - 1)   tension, N/m
+//   p = T/R    contact pressure, Pa                                   R   radius of the cloth, m
+//   delta      limit of adaption
+#include <catch2/catch.hpp>
+
+#include "adaption/clip.h"
+#include "apps/run.h"
+#include "tests/accuracy/equilibrium.h"
+#include "tests/accuracy/meshes.h"
+#include "tests/collision/bodies.h"
+
+using namespace ease;
+
+namespace {
+
+constexpr double kOffset = 0.005;  // m
+constexpr int kAround = 48, kAlong = 12;
+
+// A capsule about the y axis whose round ends are far from the cloth; the same triangles for every radius.
+TriangleMesh cylinder(double radius) {
+  TriangleMesh body = bodies::capsule(0.15, 0.1, 24);
+  body.positions.col(0) *= radius / 0.1;
+  body.positions.col(2) *= radius / 0.1;
+  return body;
+}
+
+// A tube on a cylinder of this radius, from y = -0.06 m to 0.06 m.
+TriangleMesh tubeOn(double radius) {
+  TriangleMesh tube = makeTube(kAround, kAlong, radius + kOffset, 0.12);
+  tube.positions.col(1).array() -= 0.06;
+  return tube;
+}
+
+void shrinkAround(Cloth& cloth, double factor) {
+  Positions rest = cloth.restPositions();
+  rest.col(0) /= factor;
+  rest.col(2) /= factor;
+  std::vector<Mat2> edges = cloth.restEdges();
+  for (Mat2& D : edges) D.row(1) /= factor;  // weft: around
+  cloth.setRest(rest, edges);
+}
+
+// Lengths of all rings at rest: their weft edges.
+std::vector<double> restCircumferences(const Cloth& cloth) {
+  std::vector<double> lengths(kAlong, 0.0);
+  for (int t = 0; t < cloth.triangleCount(); t += 2)  // a, a + around, b
+    lengths[t / (2 * kAround)] += cloth.restEdges()[t].col(1).norm();
+  return lengths;
+}
+
+}  // namespace
+
+TEST_CASE("a taut tube presses on a cylinder with its tension over the radius") {
+  const Method method = GENERATE(Method::newton, Method::pd_lbfgs, Method::bw1);
+  const double radius = 0.1, stretch = 1.1;
+  const TriangleMesh mesh = tubeOn(radius), body_mesh = cylinder(radius);
+  Material material;
+  Cloth cloth(mesh, Vec3::UnitY(), material);
+  shrinkAround(cloth, stretch);
+  MovingBody body(body_mesh.triangles, {body_mesh.positions}, 1, {});
+  ContactFinder finder;
+  std::vector<Vec3> samples;
+  sampleCloth(mesh.positions, cloth.triangles(), cloth.topology().edges, samples);
+  body.prepare(0, samples);
+  const FindContacts find = [&](const Positions& x, Contacts& contacts) {
+    sampleCloth(x, cloth.triangles(), cloth.topology().edges, samples);
+    finder.find(body.at(0.0), samples, kOffset, 0.01, contacts);
+  };
+  State state = atRest(mesh.positions);
+  TimeStep step = makeStep(cloth, {method, 1e-3, 1e-2});
+  // At rest up to the contacts' planes, which are found anew in every step.
+  REQUIRE(settle(step, state, {{0.0025, Vec3::Zero()}, {}, 2e-5, 100, {}, find}));
+
+  std::vector<double> pressure;
+  step.potential().contactPressure(state.positions, pressure);
+  double mean = 0.0, distance = 0.0, spread = 0.0;
+  const int rings = kAlong - 3;  // not those near the open ends
+  for (int j = 2; j < 2 + rings; ++j)
+    for (int i = 0; i < kAround; ++i) {
+      mean += pressure[j * kAround + i] / (rings * kAround);
+      const Vec3 x = state.positions.row(j * kAround + i);
+      distance += std::hypot(x[0], x[2]) / (rings * kAround);
+    }
+  for (int j = 2; j < 2 + rings; ++j)
+    for (int i = 0; i < kAround; ++i) spread = std::max(spread, std::abs(pressure[j * kAround + i] / mean - 1.0));
+  const double tension = material.stretch_weft * (distance / (radius + kOffset) * stretch - 1.0);
+  CHECK(mean == Approx(tension / distance).epsilon(1e-3));
+  CHECK(spread < 0.06);
+}
+
+TEST_CASE("a tube on a cylinder too thick for it adapts until it is within the limit, whatever came first") {
+  const double limit = 0.1;
+  std::vector<double> adapted;
+  for (const bool thick_first : {true, false}) {
+    SceneInput input;
+    Scene scene;
+    const std::vector<double> radii =
+        thick_first ? std::vector<double>{0.08, 0.1, 0.09} : std::vector<double>{0.08, 0.09, 0.1};
+    for (const double radius : radii) {
+      input.poses.push_back(cylinder(radius).positions);
+      input.body_triangles = cylinder(radius).triangles;
+    }
+    input.pose_names.assign(3, "cylinder");
+    input.garment = tubeOn(0.08);
+    scene.body = BodyScene{input.pose_names, "", 20, false};
+    scene.solver.gravity.setZero();
+    scene.adaption = AdaptionScene{limit, 4, 1, 80, false};
+    Cloth cloth(input.garment, Vec3::UnitY(), scene.material);
+    const double first = restCircumferences(cloth)[kAlong / 2];
+    MovingBody body = movingBody(scene, input);
+    State state;
+    PassRecord record;
+    runMotion(scene, input, &body, cloth, {}, state, record);
+    adapted.push_back(restCircumferences(cloth)[kAlong / 2]);
+    // Adaption acts above one stretch, less than 1 + limit, and lets out to another, less than that (StretchGoal).
+    const double thickest = 2.0 * M_PI * (0.1 + kOffset);
+    const StretchGoal goal = stretchGoal(limit, adapted.back() / first);
+    CHECK(adapted.back() > thickest / (1.0 + limit));
+    CHECK(adapted.back() > 0.995 * thickest / goal.act_above);
+    CHECK(adapted.back() < 1.005 * thickest / goal.grow_to);
+    CHECK(record.stretch.overall.max > 1.0 + 0.7 * limit);
+  }
+  CHECK(adapted[0] == Approx(adapted[1]).epsilon(0.01));
+}
