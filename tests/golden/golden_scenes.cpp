@@ -1,0 +1,177 @@
+#include "tests/golden/golden_scenes.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <limits>
+
+#include "apps/run.h"
+#include "solver/mesh/error.h"
+#include "tests/accuracy/meshes.h"
+#include "tests/collision/bodies.h"
+#include "tests/sheet.h"
+
+namespace ease {
+
+namespace {
+
+struct Prepared {
+  Scene scene;
+  SceneInput input;
+};
+
+void addPose(Prepared& prepared, const TriangleMesh& body) {
+  prepared.input.body_triangles = body.triangles;
+  prepared.input.poses.push_back(body.positions);
+  prepared.input.pose_names.push_back(fmt::format("pose {}", prepared.input.poses.size()));
+}
+
+void hold(Prepared& prepared, std::vector<int> vertices) {
+  prepared.scene.garment.pins = {{vertices, false}};
+  prepared.input.pins = {std::move(vertices)};
+}
+
+// Of n x n irregular cells, 0.3 m x 0.3 m, from x = 0 on and to z = 0; faces up.
+TriangleMesh levelSheet(int n) {
+  TriangleMesh sheet = makeSheet(n, n, 0.3, 0.3, 0.2);
+  sheet.positions.col(1).swap(sheet.positions.col(2));
+  sheet.positions.col(2) *= -1.0;
+  return sheet;
+}
+
+Prepared hung() {
+  Prepared p;
+  p.input.garment = levelSheet(9);
+  hold(p, {90, 99});
+  p.scene.garment.grain = {1.0, 0.0, 0.0};
+  p.scene.material.bending = 1e-5;
+  p.scene.material.damping_stretch = 1.0;
+  p.scene.solver.time_step = 0.005;
+  p.scene.solver.steps = 40;
+  return p;
+}
+
+Prepared pressed() {
+  Prepared p;
+  p.input.garment = levelSheet(10);
+  std::vector<int> edge;
+  for (int i = 0; i < 121; ++i)
+    if (i % 11 == 0 || i % 11 == 10 || i / 11 == 0 || i / 11 == 10) edge.push_back(i);
+  hold(p, edge);
+  p.scene.garment.grain = {1.0, 0.0, 0.0};
+  p.scene.material.bending = 1e-6;
+  p.scene.material.damping_stretch = 2.0;
+  const TriangleMesh ball = bodies::sphere(0.08, 12);
+  for (const double height : {-0.09, -0.05}) addPose(p, bodies::moved(ball, {0.15, height, -0.15}));
+  p.scene.body = BodyScene{p.input.pose_names, "", 10, false};
+  return p;
+}
+
+Prepared letOut() {
+  Prepared p;
+  p.input.garment = makeTube(20, 6, 0.085, 0.1);
+  p.input.garment.positions.col(1).array() -= 0.05;
+  TriangleMesh thick = bodies::capsule(0.1, 0.08, 12);
+  addPose(p, thick);
+  thick.positions.col(0) *= 1.2;
+  thick.positions.col(2) *= 1.2;
+  addPose(p, thick);
+  p.scene.body = BodyScene{p.input.pose_names, "", 20, false};
+  p.scene.material.damping_stretch = 2.0;
+  p.scene.solver.gravity.setZero();
+  p.scene.adaption = AdaptionScene{0.08, 8, 1, 16, false};
+  return p;
+}
+
+Prepared prepare(const std::string& scene) {
+  return scene == "hung" ? hung() : scene == "pressed" ? pressed() : letOut();
+}
+
+void writeRows(std::ofstream& out, const char* what, const Positions& x) {
+  out << fmt::format("{} {}\n", what, x.rows());
+  for (int i = 0; i < x.rows(); ++i) out << fmt::format("{:.12f} {:.12f} {:.12f}\n", x(i, 0), x(i, 1), x(i, 2));
+}
+
+Positions readRows(std::ifstream& in, const std::string& what) {
+  std::string word;
+  int rows = 0;
+  if (!(in >> word >> rows) || word != what || rows < 0) return {};
+  Positions x(rows, 3);
+  for (double& value : x.reshaped<Eigen::RowMajor>()) in >> value;
+  return x;
+}
+
+double largest(const Positions& a, const Positions& b) {
+  if (a.rows() != b.rows()) return std::numeric_limits<double>::infinity();
+  return (a - b).cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+std::vector<GoldenCase> goldenCases() {
+  std::vector<GoldenCase> cases;
+  for (const char* scene : {"hung", "pressed", "let_out"})
+    for (const char* method : {"bw1", "newton", "pd-lbfgs", "auto"}) cases.push_back({scene, method});
+  return cases;
+}
+
+GoldenResult runGolden(const GoldenCase& which) {
+  Prepared p = prepare(which.scene);
+  p.scene.solver.method = which.method;
+  p.scene.solver.tolerance = 1e-5;
+  p.scene.solver.residual = 1e-5;
+  Cloth cloth(p.input.garment, p.scene.garment.grain, p.scene.material);
+  std::optional<MovingBody> body;
+  if (p.scene.body)
+    body.emplace(p.input.body_triangles, p.input.poses, p.scene.body->steps,
+                 LevelSetOptions{p.scene.collision.voxel, 0.03});
+  State state;
+  PassRecord record;
+  runMotion(p.scene, p.input, body ? &*body : nullptr, cloth, {}, state, record);
+  return {state.positions, cloth.restPositions()};
+}
+
+std::string buildName() {
+  std::string name = __VERSION__;
+#if defined(__AVX512F__)
+  name += ", AVX-512";
+#elif defined(__AVX2__)
+  name += ", AVX2";
+#else
+  name += ", no AVX2";
+#endif
+#if defined(__FMA__)
+  name += ", FMA";
+#endif
+#if !defined(__OPTIMIZE__)
+  name += ", not optimised";
+#endif
+  return name;
+}
+
+void writeKept(const std::filesystem::path& file, const GoldenResult& result) {
+  std::ofstream out(file);
+  out << "build " << buildName() << '\n';
+  writeRows(out, "positions_m", result.positions);
+  writeRows(out, "rest_positions_m", result.rest_positions);
+  out.close();
+  if (!out) throw ComputationError(fmt::format("{}: cannot be written", file.string()));
+}
+
+KeptResult readKept(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string word;
+  KeptResult kept;
+  in >> word;
+  std::getline(in >> std::ws, kept.build);
+  kept.result.positions = readRows(in, "positions_m");
+  kept.result.rest_positions = readRows(in, "rest_positions_m");
+  if (!in) throw InputError(fmt::format("{}: expected a kept result, as script/renew_golden writes it", file.string()));
+  return kept;
+}
+
+double difference(const GoldenResult& a, const GoldenResult& b) {
+  return std::max(largest(a.positions, b.positions), largest(a.rest_positions, b.rest_positions));
+}
+
+}  // namespace ease
