@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <string>
 
+#include "bench/arguments.h"
 #include "collision/level_set.h"
 #include "solver/mesh/mesh_io.h"
 #include "solver/mesh/topology.h"
@@ -139,19 +140,6 @@ bool checkErrors(const Subject& subject, double voxel) {
       subject.name, 1e3 * voxel, points.size(), 1e3 * kWithin, e.median, e.p95, e.max, 100.0 * e.wrong_signs,
       good ? "within bounds" : "OUT OF BOUNDS");
   return good;
-}
-
-/// Takes `--name=value` out of the arguments.
-std::string takeOption(int& count, char** arguments, const std::string& name, const std::string& otherwise) {
-  const std::string prefix = "--" + name + "=";
-  for (int i = 1; i < count; ++i) {
-    const std::string argument = arguments[i];
-    if (!argument.starts_with(prefix)) continue;
-    std::rotate(arguments + i, arguments + i + 1, arguments + count);
-    --count;
-    return argument.substr(prefix.size());
-  }
-  return otherwise;
 }
 
 }  // namespace

@@ -1,0 +1,96 @@
+// Time steps per second against the number of vertices: the main job, with moving body, contact, adaption and output.
+//
+//   fps [--quick] [--data=DIR] [options of Google Benchmark]
+//
+// On scenes/t-shirt.toml with its garment remeshed, and on the scans in DIR where there are any; every method with its
+// defaults.  The time is that of a step, all included but setting up (`setup_s`) and the replays; ms_step alone is the
+// simulation.  Large meshes take fewer steps than small ones where they would take too long (`steps`).
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include "bench/arguments.h"
+#include "bench/settings.h"
+#include "bench/timed_job.h"
+#include "solver/mesh/error.h"
+
+using namespace ease;
+
+namespace {
+
+void timeScene(benchmark::State& state, const Scene& scene, const JobLimits& limits) try {
+  for (auto _ : state) {
+    const JobTiming t = timeJob(scene, limits);
+    if (t.failure[0]) return state.SkipWithError(t.failure);
+    const double steps = t.steps, per_step = 1e3 / steps;
+    state.SetIterationTime(t.run_s / steps);
+    auto& counters = state.counters;
+    counters["vertices"] = t.vertices;
+    counters["steps"] = steps;
+    counters["substeps"] = t.substeps;
+    counters["fps_simulation"] = steps / t.step_s;
+    counters["fps_full"] = steps / t.run_s;
+    counters["ms_step"] = per_step * t.step_s;
+    counters["ms_level_set"] = per_step * t.level_set_s;
+    counters["ms_interpolation"] = per_step * t.interpolation_s;
+    counters["ms_adaption"] = per_step * t.adaption_s;
+    counters["ms_output"] = per_step * t.output_s;
+    counters["setup_s"] = t.setup_s;
+    counters["peak_memory_MB"] = t.peak_memory_MB;
+    counters["newton_iterations"] = static_cast<double>(t.newton_iterations) / steps;
+    counters["projective_iterations"] = static_cast<double>(t.projective_iterations) / steps;
+    counters["handed_over"] = static_cast<double>(t.handed_over) / steps;
+    counters["penetration_mm"] = t.penetration_mm;
+  }
+} catch (const ComputationError& error) {
+  state.SkipWithError(error.what());
+}
+
+void registerScene(const std::string& body, Scene scene, const std::string& method, int vertices,
+                   const JobLimits& limits) {
+  scene.solver.method = method;
+  const std::string name = fmt::format("fps/body:{}/n:{}/method:{}", body, vertices, method);
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [scene, limits](benchmark::State& state) { timeScene(state, scene, limits); })
+      ->Iterations(1)
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+void registerAll(bool quick, const std::filesystem::path& data) {
+  const std::filesystem::path source = EASE_SOURCE_DIR;
+  const JobLimits limits = quick ? JobLimits{24, 4.0} : JobLimits{120, 25.0};
+  std::vector<std::string> methods = allMethods();
+  if (quick) methods = {"bw1", "auto"};
+  std::vector<int> sizes = {1000, 2000, 4000, 10000, 30000, 100000};
+  if (quick) sizes = {1000, 4000};
+  Scene scene = readScene(source / "scenes" / "t-shirt.toml");
+  for (int n : sizes)
+    for (const std::string& method : methods) {
+      scene.garment.vertices = n;
+      registerScene("mannequin", scene, method, n, limits);
+    }
+  if (quick) return;
+  if (!std::filesystem::exists(data / "avatars")) {
+    fmt::print("no scans in {}: measuring on the mannequin alone\n", data.string());
+    return;
+  }
+  for (int n : {1100, 3032, 4270, 10000})
+    for (const std::string& method : methods)
+      registerScene("scan", readScene(source / "tests" / "apps" / "scans" / fmt::format("shirt_{}.toml", n)), method, n,
+                    limits);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const bool quick = takeFlag(argc, argv, "quick");
+  const std::string data = takeOption(argc, argv, "data", EASE_SHARED_DATA);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  registerAll(quick, data);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "fps: {}\n", error.what());
+  return 1;
+}

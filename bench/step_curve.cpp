@@ -1,0 +1,138 @@
+#include "bench/step_curve.h"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+
+#include "solver/mesh/error.h"
+
+namespace ease {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string nameOf(const StepCase& c) {
+  return fmt::format("step/sheet:{}/n:{}/k:{:g}/h:{:.4g}", c.sheet, c.side * c.side, c.k, c.h);
+}
+
+struct Reference {
+  std::unique_ptr<Sheet> sheet;
+  std::vector<ReferenceStep> steps;
+};
+
+/// Made when first asked for, and kept until another is.
+const Reference& referenceOf(const StepCase& c) {
+  static std::string name;
+  static Reference reference;
+  if (name != nameOf(c)) {
+    reference.sheet = makeSheetNamed(c.sheet, c.side, c.k);
+    reference.steps = referenceSteps(*reference.sheet, c.h, c.from_time, c.runs + 1);
+    name = nameOf(c);
+  }
+  return reference;
+}
+
+/// The settings of one method, in their order: a setting is not tried after one that was too slow.
+struct Sweep {
+  double slowest_s = 0.0;  // mean of a setting
+};
+
+/// One setting, through its repetitions.
+class Trial {
+ public:
+  Trial(const StepCase& step_case, const Setting& setting, std::shared_ptr<Sweep> sweep)
+      : case_(step_case), setting_(setting), sweep_(std::move(sweep)) {}
+
+  void operator()(benchmark::State& state) {
+    const Reference& reference = referenceOf(case_);
+    if (sweep_->slowest_s > case_.slow_s && run_ == 0) too_slow_ = true;
+    if (too_slow_) {
+      state.SkipWithError(fmt::format("not tried: a looser setting takes more than {} s a step", case_.slow_s).c_str());
+      return;
+    }
+    try {
+      if (run_ == 0) setUp(reference);
+      for (auto _ : state) takeStep(reference, state);
+    } catch (const ComputationError& error) {
+      state.SkipWithError(error.what());
+    }
+    if (++run_ < case_.runs) return;
+    sweep_->slowest_s = std::max(sweep_->slowest_s, total_s_ / case_.runs);
+    step_.reset();
+    judge_.reset();
+  }
+
+ private:
+  void setUp(const Reference& reference) {
+    const Clock::time_point start = Clock::now();
+    step_.emplace(reference.sheet->cloth, setting_.options, reference.sheet->ordering);
+    State first = reference.steps.front().start;
+    advance(*reference.sheet, *step_, reference.steps.front().time, case_.h, first);
+    setup_ms_ = 1e3 * secondsSince(start);
+    judge_.emplace(*reference.sheet);
+  }
+
+  void takeStep(const Reference& reference, benchmark::State& state) {
+    const ReferenceStep& from = reference.steps[run_ + 1];
+    State moved = from.start;
+    const Clock::time_point start = Clock::now();
+    const StepSummary summary = advance(*reference.sheet, *step_, from.time, case_.h, moved);
+    const double seconds = secondsSince(start);
+    state.SetIterationTime(seconds);
+    total_s_ += seconds;
+
+    const StepError e = judge_->judge(from, case_.h, moved.positions);
+    auto& counters = state.counters;
+    counters["error"] = e.error;
+    counters["error_of_motion"] = e.error_of_motion;
+    counters["energy_gap"] = e.energy_gap;
+    counters["largest_mm"] = e.largest_mm;
+    counters["residual_m_s2"] = e.residual_m_s2;
+    counters["sigma_1_max_error"] = e.sigma_1_max_error;
+    counters["sigma_1_p99_error"] = e.sigma_1_p99_error;
+    counters["newton_iterations"] = summary.newton_iterations;
+    counters["cg_iterations"] = summary.cg_iterations;
+    counters["factorisations"] = summary.factorisations;
+    counters["projective_iterations"] = summary.projective_iterations;
+    counters["handed_over"] = summary.handed_over ? 1.0 : 0.0;
+    counters["converged"] = summary.converged ? 1.0 : 0.0;
+    counters["setup_ms"] = setup_ms_;
+  }
+
+  StepCase case_;
+  Setting setting_;
+  std::shared_ptr<Sweep> sweep_;
+  std::optional<TimeStep> step_;
+  std::optional<StepJudge> judge_;
+  int run_ = 0;
+  bool too_slow_ = false;
+  double setup_ms_ = 0.0, total_s_ = 0.0;
+};
+
+}  // namespace
+
+void registerSteps(const StepCase& step_case, std::span<const Setting> settings) {
+  std::shared_ptr<Sweep> sweep;
+  std::string method;
+  for (const Setting& setting : settings) {
+    if (setting.method != method) sweep = std::make_shared<Sweep>();
+    method = setting.method;
+    const auto trial = std::make_shared<Trial>(step_case, setting, sweep);
+    const std::string name =
+        fmt::format("{}/method:{}/{}:{:g}", nameOf(step_case), method, setting.knob, setting.value);
+    benchmark::RegisterBenchmark(name.c_str(), [trial](benchmark::State& state) { (*trial)(state); })
+        ->Iterations(1)
+        ->Repetitions(step_case.runs)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace ease
