@@ -9,8 +9,12 @@ STYLES = {
     "pd": ("#56B4E9", 13),
     "pd-lbfgs": ("#0072B2", 7),
     "auto": ("#009E73", 11),
+    "converged": ("#009E73", 5),
+    "degraded": ("#E69F00", 8),
+    "failed": ("#D55E00", 2),
 }
-OTHER_STYLES = [("#CC79A7", 3), ("#E69F00", 15), ("#999999", 1), ("#F0E442", 2)]
+OTHER_STYLES = [("#CC79A7", 4), ("#E69F00", 5), ("#56B4E9", 6), ("#0072B2", 7), ("#D55E00", 8), ("#000000", 9),
+                ("#009E73", 12), ("#999999", 13)]
 
 
 def style_of(name, others={}):
@@ -20,11 +24,11 @@ def style_of(name, others={}):
 
 
 class Panel:
-    """One pair of axes.  `curves`: name -> points (x, y, y low, y high), None between two lines; `marks`: name -> points (x, y) where a
-    method failed."""
+    """One pair of axes.  `curves`: name -> points (x, y, y low, y high), None between two lines; `marks`: name ->
+    points (x, y) where a method failed."""
 
-    def __init__(self, title, curves, marks=None, extra=""):
-        self.title, self.curves, self.marks, self.extra = title, curves, marks or {}, extra
+    def __init__(self, title, curves, marks=None):
+        self.title, self.curves, self.marks = title, curves, marks or {}
 
 
 def block(name, rows):
@@ -32,23 +36,25 @@ def block(name, rows):
     return f"${name} << EOD\n" + "".join(" ".join(f"{v:.6g}" for v in row or ()) + "\n" for row in rows) + "EOD\n"
 
 
-def plot_lines(index, panel, lines):
-    """Data blocks and the plot command of a panel."""
+def plot_panel(index, panel, lines):
+    """Data blocks and the plot command of a panel; without `lines` larger points."""
     blocks, plots = "", []
+    point_size = 0.55 if lines else 0.9
     for number, (name, points) in enumerate(panel.curves.items()):
         colour, point = style_of(name)
         data = f"c{index}_{number}"
         blocks += block(data, points)
         if lines:
             plots.append(f"${data} using 1:2 with lines lc rgb '{colour}' lw 1.3 notitle")
-        plots.append(f"${data} using 1:2:3:4 with yerrorbars lc rgb '{colour}' pt {point} ps 0.55 lw 0.8 notitle")
+        plots.append(f"${data} using 1:2:3:4 with yerrorbars lc rgb '{colour}' pt {point} ps {point_size} lw 0.8 "
+                     "notitle")
     for number, (name, points) in enumerate(panel.marks.items()):
         if not points:
             continue
         data = f"m{index}_{number}"
         blocks += block(data, points)
         plots.append(f"${data} using 1:2 with points lc rgb '{style_of(name)[0]}' pt 2 ps 1.1 lw 2 notitle")
-    return blocks, "plot " + ", \\\n  ".join(plots or ["NaN notitle"]) + "\n"
+    return blocks, "plot " + ", \\\n  ".join(plots or ["1e-30 notitle"]) + "\n"
 
 
 def legend(names, marked, size):
@@ -77,13 +83,13 @@ def draw(stem, title, x_label, y_label, rows, x_range="", y_range="", marked="",
     cell = (right - left) / columns, (top - bottom) / len(rows)
     for r, row in enumerate(rows):
         for c, panel in enumerate(row):
-            blocks, plot = plot_lines(index, panel, lines)
+            blocks, plot = plot_panel(index, panel, lines)
             x0, y0 = left + c * cell[0], top - (r + 1) * cell[1]
             body += blocks
-            body += f"set lmargin at screen {x0 + 6 / width:.4f}\nset rmargin at screen {x0 + cell[0] - 14 / width:.4f}\n"
-            body += f"set bmargin at screen {y0 + 22 / height:.4f}\nset tmargin at screen {y0 + cell[1] - 20 / height:.4f}\n"
+            sides = (("l", x0 + 6 / width), ("r", x0 + cell[0] - 14 / width), ("b", y0 + 22 / height),
+                     ("t", y0 + cell[1] - 20 / height))
+            body += "".join(f"set {side}margin at screen {where:.4f}\n" for side, where in sides)
             body += f"set title \"{panel.title}\" offset 0,-0.7\n"
-            body += panel.extra
             body += "set format y '10^{%L}'\n" if c == 0 and "logscale" in axes else "set format y ''\n" if c else ""
             body += plot
             body += "unset label\n" if index == 0 else ""
@@ -109,10 +115,11 @@ set label "{y_label}" at screen {16 / width:.4f}, screen {0.5 * (bottom + top):.
 unset multiplot
 """
     name = stem.name.replace("-", "_")
-    for terminal, suffix in ((f"svg size {width},{height} name '{name}' font 'DejaVu Sans,10' background '#ffffff'", "svg"),
-                             (f"pngcairo size {2 * width},{2 * height} fontscale 2 linewidth 2 pointscale 2 "
-                              "font 'DejaVu Sans,10'", "png")):
+    svg = f"svg size {width},{height} name '{name}' font 'DejaVu Sans,10' background '#ffffff'"
+    png = (f"pngcairo size {2 * width},{2 * height} fontscale 2 linewidth 2 pointscale 2 font 'DejaVu Sans,10' "
+           "background '#ffffff'")
+    for terminal, suffix in ((svg, "svg"), (png, "png")):
         command = f"set terminal {terminal}\nset output '{stem}.{suffix}'\n{script}"
         run = subprocess.run(["gnuplot", "-"], input=command, text=True, capture_output=True, check=False)
         if run.returncode != 0 or "error" in run.stderr.lower():
-            raise SystemExit(f"bench: gnuplot could not draw {stem}.{suffix}: {run.stderr.strip().splitlines()[-1:]}")
+            raise SystemExit(f"bench: gnuplot could not draw {stem}.{suffix}: {run.stderr.strip()}")

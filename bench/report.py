@@ -104,6 +104,10 @@ def main():
 
 SECTIONS = [
     ("Speed against accuracy", "speed_accuracy", [charts.draw_step, charts.draw_trajectory], [tables.iso_error]),
+    ("The scene drape-2pin", "drape_2pin", [charts.draw_drape, charts.draw_step], [tables.drape]),
+    ("Time steps per second against vertices", "fps", [charts.draw_fps], [tables.fps]),
+    ("Where the time goes", "phases", [charts.draw_phases], [tables.phases]),
+    ("Where methods fail", "stability", [charts.draw_stability], [tables.stability]),
 ]
 
 main()

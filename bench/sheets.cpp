@@ -21,6 +21,8 @@ constexpr double kFrequency = 2.0;  // Hz
 // Of the hanging sheet.
 constexpr double kNarrow = 0.9;
 constexpr double kRipple = 5e-3;  // m: so that it need not buckle from a plane
+// Of the thrown sheet.
+constexpr double kThrown = 2.0;  // m/s
 
 /// m; starts at rest.
 double shake(double time) {
@@ -97,6 +99,13 @@ std::unique_ptr<Sheet> makeHangingSheet(int side, double k) {
   return sheet;
 }
 
+std::unique_ptr<Sheet> makeThrownSheet(int side, double k) {
+  auto sheet = sheetOf("thrown", makeSheet(side - 1, side - 1, 1.0, 1.0), -Vec3::UnitY(), woven(k));
+  sheet->start.velocities.col(2).setConstant(kThrown);
+  sheet->hold = [](double, Pins&) {};
+  return sheet;
+}
+
 std::unique_ptr<Sheet> makeDrape2Pin(int side, double k) {
   Material material;
   material.density = kDensity;
@@ -117,8 +126,9 @@ std::unique_ptr<Sheet> makeDrape2Pin(int side, double k) {
 std::unique_ptr<Sheet> makeSheetNamed(const std::string& name, int side, double k) {
   if (name == "taut") return makeTautSheet(side, k);
   if (name == "hanging") return makeHangingSheet(side, k);
+  if (name == "thrown") return makeThrownSheet(side, k);
   if (name == "drape-2pin") return makeDrape2Pin(side, k);
-  throw InputError("no sheet \"" + name + "\": expected taut, hanging or drape-2pin");
+  throw InputError("no sheet \"" + name + "\": expected taut, hanging, thrown or drape-2pin");
 }
 
 void findNoContacts(const Positions&, Contacts& contacts) {

@@ -4,10 +4,11 @@
 //              step has one minimum and positions can be compared
 //   hanging    its two upper corners 10 % too near, shaken forth and back: it wrinkles, so that a step may have several
 //              minima; energies and residuals can be compared, positions of two good solvers may differ
+//   thrown     held nowhere, thrown at 2 m/s: it must fall as a stone does
 //   drape-2pin flat and horizontal at first, then swings down from two corners: a scene on which other codes'
 //              figures are known
 //
-//   k  stiffness, N/m: of stretch, with shear k/4 (taut, hanging: woven); of psi = k/2 |F - R|^2 (drape-2pin)
+//   k  stiffness, N/m: of stretch, with shear k/4 (woven: taut, hanging, thrown); of psi = k/2 |F - R|^2 (drape-2pin)
 #pragma once
 
 #include <functional>
@@ -30,6 +31,7 @@ struct Sheet {
 /// `side` x `side` vertices.
 std::unique_ptr<Sheet> makeTautSheet(int side, double k);
 std::unique_ptr<Sheet> makeHangingSheet(int side, double k);
+std::unique_ptr<Sheet> makeThrownSheet(int side, double k);
 
 /// Other codes' figures are for k = 1000 N/m.
 std::unique_ptr<Sheet> makeDrape2Pin(int side, double k);

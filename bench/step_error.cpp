@@ -9,7 +9,6 @@ namespace ease {
 namespace {
 
 const MethodOptions kOnTheWay{Method::automatic, 0.01, 0.0, 0};
-const MethodOptions kToRoundOff{Method::newton, 0.0, 1e-9, 0};
 
 StretchStatistics stretchAt(const Cloth& cloth, const Positions& x) {
   std::vector<Stretch> stretch;
@@ -25,27 +24,29 @@ double massNorm(const Cloth& cloth, const Positions& d) {
   return std::sqrt(sum);
 }
 
+ReferenceSolver::ReferenceSolver(const Sheet& sheet, double residual)
+    : sheet_(sheet), newton_(sheet.cloth, {Method::newton, 0.0, residual, 0}, sheet.ordering) {}
+
+void ReferenceSolver::findMinimum(double h, ReferenceStep& step) {
+  State state = step.start;
+  advance(sheet_, newton_, step.time, h, state);
+  step.minimum = state.positions;
+}
+
 std::vector<ReferenceStep> referenceSteps(const Sheet& sheet, double h, double from_time, int count) {
   TimeStep on_the_way(sheet.cloth, kOnTheWay, sheet.ordering);
-  TimeStep to_round_off(sheet.cloth, kToRoundOff, sheet.ordering);
+  ReferenceSolver reference(sheet);
   State state = sheet.start;
   const int before = static_cast<int>(std::lround(from_time / h));
   for (int n = 0; n < before; ++n) advance(sheet, on_the_way, n * h, h, state);
   std::vector<ReferenceStep> steps;
   for (int n = before; n < before + count; ++n) {
     ReferenceStep step{n * h, state, {}};
-    advance(sheet, to_round_off, step.time, h, state);
-    step.minimum = state.positions;
+    reference.findMinimum(h, step);
+    state = {step.minimum, (step.minimum - step.start.positions) / h};
     steps.push_back(std::move(step));
   }
   return steps;
-}
-
-void findMinimum(const Sheet& sheet, double h, ReferenceStep& step) {
-  TimeStep to_round_off(sheet.cloth, kToRoundOff, sheet.ordering);
-  State state = step.start;
-  advance(sheet, to_round_off, step.time, h, state);
-  step.minimum = state.positions;
 }
 
 StepError StepJudge::judge(const ReferenceStep& step, double h, const Positions& x) {

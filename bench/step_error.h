@@ -30,12 +30,21 @@ struct ReferenceStep {
   Positions minimum;
 };
 
+/// Newton's method to a residual acceleration (m/s^2): to round-off with the default.
+class ReferenceSolver {
+ public:
+  explicit ReferenceSolver(const Sheet& sheet, double residual = 1e-9);
+  /// Fills the minimum of a step of `h` (s) from its start.
+  void findMinimum(double h, ReferenceStep& step);
+
+ private:
+  const Sheet& sheet_;
+  TimeStep newton_;
+};
+
 /// Steps of `h` (s), `count` of them one after the other from about `from_time` (s) on.  Until then the sheet moves by
 /// `auto`, to 1 % a step.
 std::vector<ReferenceStep> referenceSteps(const Sheet& sheet, double h, double from_time, int count);
-
-/// Fills the minimum of a step of `h` (s) from its start.  A factor serves one call alone.
-void findMinimum(const Sheet& sheet, double h, ReferenceStep& step);
 
 class StepJudge {
  public:

@@ -1,16 +1,19 @@
 """The tables of a bench run, as HTML."""
 
 import html
+import math
+import statistics
 
 TARGETS = (1e-1, 1e-2, 1e-3, 1e-6)  # relative errors of a step
 
 
-def table(head, rows, bad=lambda value: False):
-    """`bad`: of a cell's text, whether it is marked."""
+def table(head, rows, marked_last=lambda text: False):
+    """`marked_last`: whether the last cell of a row, of this text, is marked."""
     text = "<table><tr>" + "".join(f"<th>{html.escape(str(cell))}</th>" for cell in head) + "</tr>\n"
     for row in rows:
-        text += "<tr>" + "".join(f"<td{' class=bad' if bad(cell) else ''}>{html.escape(str(cell))}</td>" for cell in row)
-        text += "</tr>\n"
+        marks = [""] * (len(row) - 1) + [" class=bad" if marked_last(row[-1]) else ""]
+        cells = "".join(f"<td{mark}>{html.escape(str(cell))}</td>" for mark, cell in zip(marks, row))
+        text += f"<tr>{cells}</tr>\n"
     return text + "</table>\n"
 
 
@@ -48,4 +51,102 @@ def iso_error(cases):
     return ("<p>Time of the soonest setting of each method whose median error of a step is at most the target, mean of "
             "all runs (factorisations amortised), over Newton's; last column: <code>auto</code> over the soonest "
             "method of all (marked beyond 1.3). –: not reached within the limits.</p>\n"
-            + table(["scene", "error", "newton, ms", *methods, "auto/best"], rows).replace("<td>–", "<td class=bad>–"))
+            + table(["scene", "error", "newton, ms", *methods, "auto/best"], rows, marked_last=is_slow))
+
+
+def is_slow(text):
+    return text == "–" or float(text) > 1.3
+
+
+def exponent(points):
+    """Slope of log y over log x, least squares."""
+    xs, ys = [math.log(x) for x, _ in points], [math.log(y) for _, y in points]
+    return statistics.linear_regression(xs, ys).slope
+
+
+def fps(cases):
+    rows, growth = [], []
+    for body in dict.fromkeys(c.fields["body"] for c in cases.values()):
+        for method in dict.fromkeys(c.fields["method"] for c in cases.values()):
+            chosen = [c for c in cases.values() if c.fields["body"] == body and c.fields["method"] == method]
+            good = [c for c in chosen if c.runs]
+            for c in chosen:
+                values = [c.error] + 9 * [""]
+                if c.runs:
+                    values = ["", f"{c.median('steps'):g}", f"{c.median('fps_simulation'):.3g}",
+                              f"{c.median('fps_full'):.3g}"]
+                    values += [f"{c.median('ms_' + key):.3g}" for key in ("step", "level_set", "adaption", "output")]
+                    values += [f"{c.median('setup_s'):.2g}", f"{c.median('peak_memory_MB'):.0f}"]
+                rows.append([f"{body} n={c.fields['n']:g} {method}", *values[1:], values[0]])
+            if len(good) > 2:
+                growth.append([f"{body} {method}"] + [
+                    f"{-exponent([(c.median('vertices'), c.median(key)) for c in good]):.2f}"
+                    for key in ("fps_simulation", "fps_full")])
+    head = ["run", "steps", "fps simulation", "fps full", "step, ms", "level set, ms", "adaption, ms", "output, ms",
+            "set-up, s", "peak memory, MB", "failure"]
+    return (table(head, rows)
+            + "<p>Time of a step grows as vertices to the power of:</p>\n"
+            + table(["run", "simulation", "full"], growth))
+
+
+def phases(cases):
+    rows = []
+    for c in cases.values():
+        if not c.runs:
+            rows.append([c.name, "failed", "", "", ""])
+            continue
+        ms, rate = c.median("ms"), ""
+        bound = f"{c.median('bound_ms'):.3g}" if c.values("bound_ms") else ""
+        share = f"{100 * c.median('bound_ms') / ms:.0f} %" if bound else ""
+        if c.values("triangles"):
+            rate = f"{1e6 * ms / c.median('triangles'):.1f} ns a triangle"
+        elif c.values("factor_MB"):
+            rate = f"{2 * c.median('factor_MB') / ms:.3g} GB/s"
+        elif c.values("Mflop"):
+            rate = f"{c.median('Mflop') / ms:.3g} Gflop/s"
+        elif c.values("voxels"):
+            rate = f"{1e-3 * c.median('voxels') / ms:.3g} million voxels/s"
+        rows.append([f"{c.fields['phase']} n={c.fields['n']:g}", f"{ms:.3g}", bound, share, rate])
+    return table(["phase", "ms", "bound, ms", "of the bound", "rate"], rows)
+
+
+# Rest state and times of drape-2pin by other codes, one thread of another machine: ms a step of 1/60 s.
+OTHERS = [
+    ("PositionBasedDynamics, XPBD 100x1", "15.6", "67.7", "280"),
+    ("admm-elastic, 10 iterations", "6.3", "27.6", "70.5"),
+    ("DiffCloth, projective dynamics to 1e-7", "43.6", "147", "335"),
+    ("public code of Wolff et al. 2022, one Newton step", "19.5", "98", "308"),
+    ("ARCSim 0.3.1, one Newton step", "18.2", "155", "723"),
+]
+
+
+def drape(cases):
+    rests = []
+    for c in cases.values():
+        if c.kind != "rest":
+            continue
+        if not c.runs:
+            rests.append([f"n={c.fields['n']:g} {c.fields['method']}", c.error, "", "", "", ""])
+            continue
+        rests.append([f"n={c.fields['n']:g} {c.fields['method']}", f"{c.median('ms'):.3g}",
+                      f"{c.median('mean_sigma_1'):.5f}",
+                      f"{c.median('others_sigma_1_low'):.5f} to {c.median('others_sigma_1_high'):.5f}",
+                      f"{c.median('centre_sag_m'):.4f}",
+                      f"{c.median('others_sag_low_m'):.4f} to {c.median('others_sag_high_m'):.4f}",
+                      "yes" if c.median("agrees") else "no"])
+    return ("<p>At rest, against four independent implicit codes; ms: mean of the 120 steps of the swing, default "
+            "settings.</p>\n"
+            + table(["run", "ms a step", "mean sigma_1", "others", "centre sag, m", "others", "agrees"], rests,
+                    marked_last=lambda text: text == "no")
+            + "<p>Other codes, each at its defaults, one thread, on another machine; ms a step:</p>\n"
+            + table(["code", "32²", "64²", "100²"], OTHERS) + iso_error(cases))
+
+
+def stability(cases):
+    rows = []
+    for sheet in dict.fromkeys(c.fields["sheet"] for c in cases.values()):
+        for method in dict.fromkeys(c.fields["method"] for c in cases.values()):
+            grades = [int(c.median("grade")) for c in cases.values()
+                      if c.fields["sheet"] == sheet and c.fields["method"] == method and c.runs]
+            rows.append([f"{sheet} {method}", *(str(grades.count(g)) for g in (2, 1, 0))])
+    return table(["map", "converged", "degraded", "failed"], rows)

@@ -64,7 +64,7 @@ void run(const Scene& scene, const JobLimits& limits, JobTiming& timing) {
   }
   timing.run_s = record.wall_s;
   timing.steps = record.steps;
-  timing.substeps = record.substeps;
+  timing.substeps = record.division.time_steps;
   timing.step_s = record.step_s;
   timing.level_set_s = record.level_set_s;
   timing.interpolation_s = record.interpolation_s;

@@ -1,0 +1,206 @@
+// Where the time of a step goes, phase by phase, and how far each phase is from what the machine can do.
+//
+//   phases [--quick] [options of Google Benchmark]
+//
+//   local      energy and gradient of a step (the local step of projective dynamics, the residual of Newton)
+//   hessian    assembly of Newton's matrix
+//   product    Newton's matrix times a vector, bending included: one conjugate gradient iteration, its solve apart
+//   factor1    Cholesky factor of the projective system, n x n;     solve1   its solves, 3 right-hand sides
+//   factor3    of Newton's system, 3n x 3n;                         solve3   its solves, 1 right-hand side
+//   level-set  of a pose around a garment of n vertices: a sleeve of 5 mm ease on a limb of 36,000 triangles
+//
+// bound_ms: memory that must be read, over the bandwidth measured for as much memory with all threads (local, product,
+// solves); floating-point operations over the peak measured on one thread, as CHOLMOD has it (factors).  The hanging
+// sheet of sheets.h, k = 500 N/m, h = 1/60 s.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bench/arguments.h"
+#include "bench/machine_bounds.h"
+#include "bench/sheets.h"
+#include "collision/contacts.h"
+#include "collision/level_set.h"
+#include "tests/collision/bodies.h"
+#include "tests/sheet.h"
+
+using namespace ease;
+
+namespace {
+
+constexpr double kPerTriangle = 220.0;  // bytes: corners, D^-1, conditions; its corners' forces written and read
+constexpr double kPerBending = 12.0;    // bytes of an entry of the bending matrix; 19 a vertex
+constexpr double kPerBlock = 76.0;      // bytes of a 3 x 3 block and its column
+
+struct Scene {
+  std::unique_ptr<Sheet> sheet;
+  IncrementalPotential potential;
+  std::vector<char> fixed;
+  Point point;
+  BlockMatrix hessian;
+
+  explicit Scene(int side)
+      : sheet(makeHangingSheet(side, 500.0)),
+        potential(sheet->cloth),
+        fixed(sheet->cloth.vertexCount(), 0),
+        hessian(sheet->cloth.vertexCount(), sheet->cloth.topology().edges) {
+    StepOptions options;
+    options.h = 1.0 / 60.0;
+    potential.begin(sheet->start, options);
+    point.x = sheet->start.positions;
+    point.evaluate(potential, fixed);
+  }
+  int vertices() const { return sheet->cloth.vertexCount(); }
+  double bendingBytes() const { return 19.0 * kPerBending * vertices(); }
+};
+
+void bound(benchmark::State& state, double seconds) {
+  state.counters["bound_ms"] = 1e3 * seconds;
+}
+
+void measureLocal(benchmark::State& state, int side) {
+  Scene scene(side);
+  for (auto _ : state) scene.point.evaluate(scene.potential, scene.fixed);
+  const double bytes = kPerTriangle * scene.sheet->cloth.triangleCount() + scene.bendingBytes();
+  bound(state, bytes / readBandwidth(static_cast<size_t>(bytes)));
+  state.counters["triangles"] = scene.sheet->cloth.triangleCount();
+}
+
+void measureHessian(benchmark::State& state, int side) {
+  Scene scene(side);
+  for (auto _ : state) scene.potential.hessian(scene.point.x, Curvature::projected, scene.hessian);
+  state.counters["triangles"] = scene.sheet->cloth.triangleCount();
+}
+
+void measureProduct(benchmark::State& state, int side) {
+  Scene scene(side);
+  scene.potential.hessian(scene.point.x, Curvature::projected, scene.hessian);
+  const Positions d = randomPositions(scene.vertices(), 1);
+  Positions product(scene.vertices(), 3);
+  for (auto _ : state) {
+    scene.hessian.multiply(d, product);
+    scene.potential.addBending(d, product);
+  }
+  const double bytes = kPerBlock * scene.hessian.rowEnd(scene.vertices() - 1) + scene.bendingBytes();
+  bound(state, bytes / readBandwidth(static_cast<size_t>(bytes)));
+}
+
+/// The projective system's pattern with values that are as good: a graph's Laplacian and a little more.
+SparseMatrix projectiveMatrix(const Cloth& cloth) {
+  SparseMatrix lower = vertexPattern(cloth.vertexCount(), cloth.triangles());
+  std::vector<double> degree(cloth.vertexCount(), 0.1);
+  for (int j = 0; j < lower.cols(); ++j)
+    for (SparseMatrix::InnerIterator entry(lower, j); entry; ++entry)
+      if (entry.row() != j) {
+        entry.valueRef() = -1.0;
+        degree[entry.row()] += 1.0;
+        degree[j] += 1.0;
+      }
+  for (int j = 0; j < lower.cols(); ++j) lower.coeffRef(j, j) = degree[j];
+  return lower;
+}
+
+/// One system, 1 or 3 rows to a vertex.
+struct System {
+  SparseMatrix matrix;
+  Cholesky cholesky{Cholesky::Kind::kSupernodal};
+  Panels panels;
+  double flops;
+
+  System(Scene& scene, int rows) {
+    const std::vector<int>& ordering = scene.sheet->ordering;
+    const SparseMatrix pattern = projectiveMatrix(scene.sheet->cloth);
+    flops = factorFlops(pattern, ordering, rows);
+    if (rows == 1) {
+      matrix = pattern;
+      cholesky.analyse(matrix, ordering);
+    } else {
+      scene.potential.hessian(scene.point.x, Curvature::projected, scene.hessian);
+      scene.hessian.toScalar(scene.fixed, matrix);
+      cholesky.analyse(matrix, liftOrdering(ordering));
+    }
+  }
+  bool factor() {
+    if (!cholesky.factor(matrix)) return false;
+    cholesky.copyTo(panels);
+    return true;
+  }
+};
+
+void measureFactor(benchmark::State& state, int side, int rows) {
+  Scene scene(side);
+  System system(scene, rows);
+  for (auto _ : state)
+    if (!system.factor()) return state.SkipWithError("not positive definite");
+  bound(state, system.flops / peakFlops());
+  state.counters["Mflop"] = 1e-6 * system.flops;
+}
+
+void measureSolve(benchmark::State& state, int side, int rows) {
+  Scene scene(side);
+  System system(scene, rows);
+  if (!system.factor()) return state.SkipWithError("not positive definite");
+  const Positions right = randomPositions(scene.vertices(), 3);
+  Positions x(scene.vertices(), 3);
+  for (auto _ : state) system.panels.solve(right.data(), x.data(), rows == 1 ? 3 : 1);
+  const size_t bytes = system.panels.memoryBytes();
+  bound(state, 2.0 * static_cast<double>(bytes) / readBandwidth(bytes));
+  state.counters["factor_MB"] = 1e-6 * static_cast<double>(bytes);
+}
+
+void measureLevelSet(benchmark::State& state, int vertices) {
+  const double half_length = 0.3, radius = 0.12, voxel = 0.01;
+  const TriangleMesh limb = bodies::capsule(half_length, radius, 48);
+  const TriangleTree tree(limb.positions, limb.triangles);
+  // 4 rings vertices around; 2 rings of these on the half spheres, and as dense on the tube.
+  const double rows_per_ring = 2.0 + 2.0 * half_length / (0.5 * std::numbers::pi * radius);
+  const int rings = static_cast<int>(std::lround(std::sqrt(vertices / (4.0 * rows_per_ring))));
+  const TriangleMesh sleeve = bodies::capsule(half_length, radius + 0.005, rings);
+  std::vector<Vec3> samples;
+  sampleCloth(sleeve.positions, sleeve.triangles, buildTopology(sleeve, "sleeve").edges, samples);
+  LevelSet level_set({.voxel = voxel, .band = 0.03});
+  for (auto _ : state) level_set.build(tree, samples, 0.3 * voxel);
+  state.counters["samples"] = static_cast<double>(samples.size());
+  state.counters["voxels"] = static_cast<double>(level_set.filledVoxels());
+  state.counters["vertices"] = static_cast<double>(sleeve.positions.rows());
+}
+
+template <class Measure>
+void add(const std::string& phase, int vertices, bool quick, const Measure& measure) {
+  benchmark::RegisterBenchmark(fmt::format("phases/phase:{}/n:{}", phase, vertices).c_str(),
+                               [measure](benchmark::State& state) { measure(state); })
+      ->Unit(benchmark::kMillisecond)
+      ->MinTime(quick ? 0.02 : 0.1)
+      ->Repetitions(quick ? 3 : 15)
+      ->UseRealTime();
+}
+
+void registerAll(bool quick) {
+  for (int side : {32, 64, 100, 316}) {
+    if (quick && side > 100) continue;
+    const int n = side * side;
+    add("local", n, quick, [side](auto& state) { measureLocal(state, side); });
+    add("hessian", n, quick, [side](auto& state) { measureHessian(state, side); });
+    add("product", n, quick, [side](auto& state) { measureProduct(state, side); });
+    add("factor1", n, quick, [side](auto& state) { measureFactor(state, side, 1); });
+    add("solve1", n, quick, [side](auto& state) { measureSolve(state, side, 1); });
+    add("factor3", n, quick, [side](auto& state) { measureFactor(state, side, 3); });
+    add("solve3", n, quick, [side](auto& state) { measureSolve(state, side, 3); });
+    add("level-set", n, quick, [n](auto& state) { measureLevelSet(state, n); });
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const bool quick = takeFlag(argc, argv, "quick");
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  registerAll(quick);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "phases: {}\n", error.what());
+  return 1;
+}
