@@ -94,14 +94,13 @@ void registerAll(bool quick) {
   for (const Rest& expected : kConsensus) {
     if (quick && expected.side > 32) continue;
     for (const std::string& method : allMethods())
-      if (expected.side == 32 ? !quick || method == "auto" || method == "newton"
-                              : method == "auto" || method == "newton")
-        registerRest(expected, defaultSettingOf(method));
+      if (method == "auto" || (expected.side == 32 && !quick)) registerRest(expected, defaultSettingOf(method));
   }
-  for (int side : {32, 64, 100})
+  for (const auto& [side, slow_s] : {std::pair{32, 0.15}, {64, 0.3}, {100, 0.5}})
     for (const std::string& method : allMethods())
       if (!quick || side == 32)
-        registerSteps({"drape-2pin", side, kStiffness, kStep, 0.5, 15, quick ? 0.05 : 0.5}, settingsOf(method, quick));
+        registerSteps({"drape-2pin", side, kStiffness, kStep, 0.5, 15, quick ? 0.03 : slow_s},
+                      settingsOf(method, quick));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace ease {
 
 namespace {
 
-constexpr double kMeasure = 0.02;  // s at least, of the best of five
+constexpr double kMeasure = 0.01;  // s at least, of the best of five
 
 /// Least seconds of one call.
 template <class Work>

@@ -55,12 +55,19 @@ struct Scene {
   double bendingBytes() const { return 19.0 * kPerBending * vertices(); }
 };
 
+/// Made when first asked for, and kept until another is.
+Scene& sceneOf(int side) {
+  static std::unique_ptr<Scene> scene;
+  if (!scene || scene->vertices() != side * side) scene = std::make_unique<Scene>(side);
+  return *scene;
+}
+
 void bound(benchmark::State& state, double seconds) {
   state.counters["bound_ms"] = 1e3 * seconds;
 }
 
 void measureLocal(benchmark::State& state, int side) {
-  Scene scene(side);
+  Scene& scene = sceneOf(side);
   for (auto _ : state) scene.point.evaluate(scene.potential, scene.fixed);
   const double bytes = kPerTriangle * scene.sheet->cloth.triangleCount() + scene.bendingBytes();
   bound(state, bytes / readBandwidth(static_cast<size_t>(bytes)));
@@ -68,13 +75,13 @@ void measureLocal(benchmark::State& state, int side) {
 }
 
 void measureHessian(benchmark::State& state, int side) {
-  Scene scene(side);
+  Scene& scene = sceneOf(side);
   for (auto _ : state) scene.potential.hessian(scene.point.x, Curvature::projected, scene.hessian);
   state.counters["triangles"] = scene.sheet->cloth.triangleCount();
 }
 
 void measureProduct(benchmark::State& state, int side) {
-  Scene scene(side);
+  Scene& scene = sceneOf(side);
   scene.potential.hessian(scene.point.x, Curvature::projected, scene.hessian);
   const Positions d = randomPositions(scene.vertices(), 1);
   Positions product(scene.vertices(), 3);
@@ -128,9 +135,18 @@ struct System {
   }
 };
 
+/// Likewise.
+System& systemOf(int side, int rows) {
+  static std::unique_ptr<System> system;
+  static int made_for[2] = {0, 0};
+  if (!system || made_for[0] != side || made_for[1] != rows) system = std::make_unique<System>(sceneOf(side), rows);
+  made_for[0] = side;
+  made_for[1] = rows;
+  return *system;
+}
+
 void measureFactor(benchmark::State& state, int side, int rows) {
-  Scene scene(side);
-  System system(scene, rows);
+  System& system = systemOf(side, rows);
   for (auto _ : state)
     if (!system.factor()) return state.SkipWithError("not positive definite");
   bound(state, system.flops / peakFlops());
@@ -138,11 +154,10 @@ void measureFactor(benchmark::State& state, int side, int rows) {
 }
 
 void measureSolve(benchmark::State& state, int side, int rows) {
-  Scene scene(side);
-  System system(scene, rows);
+  System& system = systemOf(side, rows);
   if (!system.factor()) return state.SkipWithError("not positive definite");
-  const Positions right = randomPositions(scene.vertices(), 3);
-  Positions x(scene.vertices(), 3);
+  const Positions right = randomPositions(side * side, 3);
+  Positions x(side * side, 3);
   for (auto _ : state) system.panels.solve(right.data(), x.data(), rows == 1 ? 3 : 1);
   const size_t bytes = system.panels.memoryBytes();
   bound(state, 2.0 * static_cast<double>(bytes) / readBandwidth(bytes));
@@ -171,7 +186,7 @@ void add(const std::string& phase, int vertices, bool quick, const Measure& meas
   benchmark::RegisterBenchmark(fmt::format("phases/phase:{}/n:{}", phase, vertices).c_str(),
                                [measure](benchmark::State& state) { measure(state); })
       ->Unit(benchmark::kMillisecond)
-      ->MinTime(quick ? 0.02 : 0.1)
+      ->MinTime(quick ? 0.01 : 0.05)
       ->Repetitions(quick ? 3 : 15)
       ->UseRealTime();
 }

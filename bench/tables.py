@@ -71,19 +71,20 @@ def fps(cases):
             chosen = [c for c in cases.values() if c.fields["body"] == body and c.fields["method"] == method]
             good = [c for c in chosen if c.runs]
             for c in chosen:
-                values = [c.error] + 9 * [""]
+                values = [c.error] + 10 * [""]
                 if c.runs:
                     values = ["", f"{c.median('steps'):g}", f"{c.median('fps_simulation'):.3g}",
                               f"{c.median('fps_full'):.3g}"]
                     values += [f"{c.median('ms_' + key):.3g}" for key in ("step", "level_set", "adaption", "output")]
-                    values += [f"{c.median('setup_s'):.2g}", f"{c.median('peak_memory_MB'):.0f}"]
+                    values += [f"{c.median('setup_s'):.2g}", f"{c.median('first_step_s'):.2g}",
+                               f"{c.median('peak_memory_MB'):.0f}"]
                 rows.append([f"{body} n={c.fields['n']:g} {method}", *values[1:], values[0]])
             if len(good) > 2:
                 growth.append([f"{body} {method}"] + [
                     f"{-exponent([(c.median('vertices'), c.median(key)) for c in good]):.2f}"
                     for key in ("fps_simulation", "fps_full")])
     head = ["run", "steps", "fps simulation", "fps full", "step, ms", "level set, ms", "adaption, ms", "output, ms",
-            "set-up, s", "peak memory, MB", "failure"]
+            "set-up, s", "first step, s", "peak memory, MB", "failure"]
     return (table(head, rows)
             + "<p>Time of a step grows as vertices to the power of:</p>\n"
             + table(["run", "simulation", "full"], growth))

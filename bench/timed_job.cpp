@@ -10,6 +10,7 @@
 
 #include "apps/run.h"
 #include "solver/mesh/error.h"
+#include "solver/mesh/mesh_io.h"
 
 namespace ease {
 
@@ -21,93 +22,136 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A folder for a run's frames, removed in the end.
-struct Scratch {
-  std::filesystem::path path;
-  Scratch() {
-    std::string name = (std::filesystem::temp_directory_path() / "ease_fps_XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw ComputationError(name + ": cannot be made");
-    path = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
-  }
+/// What counts in a record, so that the first step can be taken away.
+struct Counted {
+  double seconds[5];
+  long counts[3];
+  explicit Counted(const PassRecord& r)
+      : seconds{r.step_s, r.level_set_s, r.interpolation_s, r.adaption_s, r.output_s},
+        counts{r.handed_over, r.newton_iterations, r.projective_iterations} {}
 };
 
-void run(const Scene& scene, const JobLimits& limits, JobTiming& timing) {
-  const Clock::time_point start = Clock::now();
-  const SceneInput input = readSceneInput(scene);
-  Cloth cloth(input.garment, scene.garment.grain, scene.material);
-  timing.vertices = cloth.vertexCount();
-  MovingBody body(input.body_triangles, input.poses, scene.body->steps,
-                  {scene.collision.voxel, std::max(0.03, 3.0 * scene.collision.offset)});
-  const Scratch scratch;
-  SeriesOfRun series(scratch.path, input.garment.triangles, input.body_triangles);
-  const std::vector<double> first_areas = cloth.restAreas();
-  timing.setup_s = secondsSince(start);
+class Job {
+ public:
+  Job(const Scene& scene, const JobLimits& limits, JobTiming& timing)
+      : scene_(scene), limits_(limits), timing_(timing) {}
 
-  std::atomic<bool> enough = false;
-  int steps = 0;
-  const Clock::time_point begin = Clock::now();
-  RunOptions options;
-  options.series = &series;
-  options.first_areas = &first_areas;
-  options.interrupted = &enough;
-  options.on_step = [&](const Moment&) { enough = ++steps >= limits.steps || secondsSince(begin) > limits.seconds; };
-  State state;
-  PassRecord record;
-  try {
-    runMotion(scene, input, &body, cloth, options, state, record);
-  } catch (const ComputationError& error) {
-    std::strncpy(timing.failure, error.what(), sizeof timing.failure - 1);
+  void operator()() {
+    const Clock::time_point start = Clock::now();
+    const SceneInput input = readSceneInput(scene_);
+    Cloth cloth(input.garment, scene_.garment.grain, scene_.material);
+    timing_.vertices = cloth.vertexCount();
+    MovingBody body(input.body_triangles, input.poses, scene_.body->steps,
+                    {scene_.collision.voxel, std::max(0.03, 3.0 * scene_.collision.offset)});
+    timing_.setup_s = secondsSince(start);
+    const ScratchDirectory scratch;
+    SeriesOfRun series(scratch.path, input.garment.triangles, input.body_triangles);
+    const std::vector<double> first_areas = cloth.restAreas();
+
+    RunOptions options;
+    options.series = &series;
+    options.first_areas = &first_areas;
+    options.interrupted = &enough_;
+    options.on_step = [&](const Moment&) { countStep(body); };
+    State state;
+    begin_ = Clock::now();
+    try {
+      runMotion(scene_, input, &body, cloth, options, state, record_);
+    } catch (const ComputationError& error) {
+      std::strncpy(timing_.failure, error.what(), sizeof timing_.failure - 1);
+      return;
+    }
+    report();
   }
-  timing.run_s = record.wall_s;
-  timing.steps = record.steps;
-  timing.substeps = record.division.time_steps;
-  timing.step_s = record.step_s;
-  timing.level_set_s = record.level_set_s;
-  timing.interpolation_s = record.interpolation_s;
-  timing.adaption_s = record.adaption_s;
-  timing.output_s = record.output_s;
-  timing.voxels_on_demand = record.voxels_on_demand;
-  timing.handed_over = record.handed_over;
-  timing.newton_iterations = record.newton_iterations;
-  timing.projective_iterations = record.projective_iterations;
-  const Penetration& deepest = record.penetration;
-  timing.penetration_mm = 1e3 * std::max({deepest.vertices, deepest.edge_midpoints, deepest.centroids});
-}
 
-[[noreturn]] void runAndTell(const Scene& scene, const JobLimits& limits, int pipe) {
-  JobTiming timing;
-  try {
-    run(scene, limits, timing);
-  } catch (const std::exception& error) {
-    std::strncpy(timing.failure, error.what(), sizeof timing.failure - 1);
+ private:
+  void countStep(const MovingBody& body) {
+    if (++steps_ == 1) {
+      timing_.first_step_s = secondsSince(begin_);
+      first_ = Counted(record_);
+      // The body's times get into the record at the end only.
+      first_.seconds[1] = body.times().level_set_s;
+      first_.seconds[2] = body.times().interpolation_s;
+      begin_ = Clock::now();
+      return;
+    }
+    timing_.run_s = secondsSince(begin_);
+    const int timed = steps_ - 1;
+    enough_ = timed >= limits_.steps || (timed >= limits_.least && timing_.run_s > limits_.seconds);
   }
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  timing.peak_memory_MB = static_cast<double>(usage.ru_maxrss) / 1024.0;
-  const bool told = ::write(pipe, &timing, sizeof timing) == static_cast<ssize_t>(sizeof timing);
-  ::_exit(told ? 0 : 1);
-}
 
-}  // namespace
+  void report() {
+    const Counted all(record_);
+    timing_.steps = steps_ - 1;
+    timing_.substeps = record_.division.time_steps;
+    double* const seconds[] = {&timing_.step_s, &timing_.level_set_s, &timing_.interpolation_s, &timing_.adaption_s,
+                               &timing_.output_s};
+    for (int k = 0; k < 5; ++k) *seconds[k] = all.seconds[k] - first_.seconds[k];
+    double* const counts[] = {&timing_.handed_over, &timing_.newton_iterations, &timing_.projective_iterations};
+    for (int k = 0; k < 3; ++k) *counts[k] = static_cast<double>(all.counts[k] - first_.counts[k]);
+    const Penetration& deepest = record_.penetration;
+    timing_.penetration_mm = 1e3 * std::max({deepest.vertices, deepest.edge_midpoints, deepest.centroids});
+  }
 
-JobTiming timeJob(const Scene& scene, const JobLimits& limits) {
+  const Scene& scene_;
+  const JobLimits& limits_;
+  JobTiming& timing_;
+  PassRecord record_;
+  Counted first_{record_};
+  std::atomic<bool> enough_ = false;
+  int steps_ = 0;
+  Clock::time_point begin_;
+};
+
+/// Calls `work(timing)` in a child process, and returns what it made of the timing.
+template <class Work>
+JobTiming inChild(const Work& work) {
   int ends[2];
   if (::pipe(ends) != 0) throw ComputationError("no pipe to a child process");
   const pid_t child = ::fork();
   if (child < 0) throw ComputationError("no child process");
-  if (child == 0) runAndTell(scene, limits, ends[1]);
-  ::close(ends[1]);
   JobTiming timing;
+  if (child == 0) {
+    try {
+      work(timing);
+    } catch (const std::exception& error) {
+      std::strncpy(timing.failure, error.what(), sizeof timing.failure - 1);
+    }
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    timing.peak_memory_MB = static_cast<double>(usage.ru_maxrss) / 1024.0;
+    const bool told = ::write(ends[1], &timing, sizeof timing) == static_cast<ssize_t>(sizeof timing);
+    ::_exit(told ? 0 : 1);
+  }
+  ::close(ends[1]);
   const bool told = ::read(ends[0], &timing, sizeof timing) == static_cast<ssize_t>(sizeof timing);
   ::close(ends[0]);
   int status = 0;
   ::waitpid(child, &status, 0);
   if (!told) throw ComputationError(fmt::format("the run died, with status {}", status));
   return timing;
+}
+
+}  // namespace
+
+ScratchDirectory::ScratchDirectory() {
+  std::string name = (std::filesystem::temp_directory_path() / "ease_bench_XXXXXX").string();
+  if (!::mkdtemp(name.data())) throw ComputationError(name + ": cannot be made");
+  path = name;
+}
+
+ScratchDirectory::~ScratchDirectory() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path, ignored);
+}
+
+JobTiming timeJob(const Scene& scene, const JobLimits& limits) {
+  return inChild([&](JobTiming& timing) { Job(scene, limits, timing)(); });
+}
+
+void writeGarment(const Scene& scene, const std::filesystem::path& file) {
+  const JobTiming timing = inChild([&](JobTiming&) { writeObj(file, readSceneInput(scene).garment); });
+  if (timing.failure[0]) throw ComputationError(timing.failure);
 }
 
 }  // namespace ease
