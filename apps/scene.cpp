@@ -223,8 +223,8 @@ Scene readScene(const std::filesystem::path& file) {
   if (const auto collision = root.table("collision")) {
     if (!scene.body) root.refuse("collision", "a [body] to collide with, or no such table");
     scene.collision = readCollision(*collision, scene.garment);
-    if (scene.garment.comfort_offset) scene.collision.offset = *scene.garment.comfort_offset;
   }
+  if (scene.garment.comfort_offset) scene.collision.offset = *scene.garment.comfort_offset;
   if (const auto adaption = root.table("adaption")) scene.adaption = readAdaption(*adaption);
   if (const auto output = root.table("output")) scene.output = readOutput(*output);
   checkLength(root, scene);
