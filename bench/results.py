@@ -6,7 +6,7 @@ import re
 import statistics
 
 # What Google Benchmark itself appends to a name.
-APPENDED = re.compile(r"(/iterations:\d+)?(/repeats:\d+)?(/process_time)?(/(real|manual)_time)?$")
+APPENDED = re.compile(r"(/min_time:[\d.]+)?(/iterations:\d+)?(/repeats:\d+)?(/process_time)?(/(real|manual)_time)?$")
 
 
 class Case:
