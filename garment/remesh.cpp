@@ -102,21 +102,33 @@ TriangleMesh remeshed(const TriangleMesh& mesh, double edge_length) {
 }
 
 TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::string& name) {
-  constexpr int kTrials = 12;
-  constexpr double kTolerance = 0.025;
+  constexpr int kTrials = 20;
+  constexpr double kTolerance = 0.025, kOfCoarse = 0.06;
   // An equilateral mesh has area / (sqrt(3)/2 edge^2) vertices; the remesher makes about this many times as many.
   constexpr double kSurplus = 1.22;
   double area = 0.0;
   for (int t = 0; t < mesh.triangles.rows(); ++t) area += triangleArea(mesh.positions, mesh.triangles, t);
   double edge = std::sqrt(kSurplus * area / (0.5 * std::sqrt(3.0) * vertices));
+  double too_short = 0.0, too_long = 0.0;  // edge lengths that gave too many vertices, and too few; 0: none so far
+  TriangleMesh best;
+  double least_error = kOfCoarse;
   for (int trial = 0; trial < kTrials; ++trial) {
     TriangleMesh result = remeshed(mesh, edge);
-    const double ratio = static_cast<double>(result.positions.rows()) / vertices;
-    if (std::abs(ratio - 1.0) <= kTolerance) return result;
+    const double ratio = static_cast<double>(result.positions.rows()) / vertices, error = std::abs(ratio - 1.0);
+    if (error <= kTolerance) return result;
+    if (error < least_error) {
+      least_error = error;
+      best = std::move(result);
+    }
+    (ratio > 1.0 ? too_short : too_long) = edge;
     edge *= std::sqrt(ratio);
+    // Coarse meshes jump: between two lengths that were tried, the middle.
+    const bool outside = edge <= too_short || edge >= too_long;
+    if (too_short > 0.0 && too_long > 0.0 && outside) edge = 0.5 * (too_short + too_long);
   }
-  throw ComputationError(fmt::format("{}: no mesh within {:.1f} % of {} vertices in {} trials", name,
-                                     100.0 * kTolerance, vertices, kTrials));
+  if (best.positions.rows() > 0) return best;
+  throw ComputationError(fmt::format("{}: no mesh within {:.1f} % of {} vertices in {} trials", name, 100.0 * kOfCoarse,
+                                     vertices, kTrials));
 }
 
 }  // namespace ease

@@ -250,6 +250,14 @@ double IncrementalPotential::motion(const Positions& x) const {
   return sum / (options_.h * options_.h);
 }
 
+double IncrementalPotential::correction(const Positions& x) const {
+  const Vec3 fall = options_.h * options_.h * options_.gravity;
+  const double sum = parallelSum(cloth_.vertexCount(), [&](int i) {
+    return cloth_.masses()[i] * (x.row(i).transpose() - inertial_.row(i).transpose() + fall).squaredNorm();
+  });
+  return sum / (options_.h * options_.h);
+}
+
 double IncrementalPotential::roundOff(const Positions& x, double energy) const {
   return kRoundOff * (std::abs(energy) + motion(x)) + bending_round_off_;
 }

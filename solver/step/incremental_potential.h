@@ -64,6 +64,8 @@ class IncrementalPotential {
 
   /// Twice the kinetic energy of moving from x_n to x within the step, J.
   double motion(const Positions& x) const;
+  /// The same of moving from x_n + h v_n to x: of what forces add to the cloth's motion.
+  double correction(const Positions& x) const;
   double totalMass() const;  // kg
 
   /// A difference of the potential between points near x, where it is `energy`, that means nothing, J.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMostHalvings = 20;
 constexpr double kSufficient = 1e-4;  // of the decrease that the slope promises
-constexpr double kLeastSpeed = 1e-3;  // m/s: cloth that moves less than this is at rest
+constexpr double kLeastSpeed = 1e-3;  // m/s: a change of speed within a step that is not worth more digits
 
 }  // namespace
 
@@ -30,7 +30,7 @@ double residualAcceleration(const IncrementalPotential& potential, const Point& 
 
 double relativeDecrement(const IncrementalPotential& potential, const Point& point, double slope) {
   const double least = potential.totalMass() * kLeastSpeed * kLeastSpeed;
-  return std::sqrt(std::max(0.0, -slope) / (potential.motion(point.x) + least));
+  return std::sqrt(std::max(0.0, -slope) / (potential.correction(point.x) + least));
 }
 
 int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,

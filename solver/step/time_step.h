@@ -27,7 +27,7 @@ Method methodNamed(const std::string& name);
 
 struct MethodOptions {
   Method method = Method::automatic;
-  double tolerance = 0.05;  // pd-lbfgs, auto: relative error of a step
+  double tolerance = 0.05;  // pd-lbfgs, auto: relative error of a step (minimiser.h)
   double residual = 1e-2;   // newton: largest residual acceleration, m/s^2
   int iterations = 10;      // pd
 };

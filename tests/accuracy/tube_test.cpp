@@ -66,7 +66,7 @@ TEST_CASE("a taut tube presses on a cylinder with its tension over the radius") 
   body.prepare(0, samples);
   const FindContacts find = [&](const Positions& x, Contacts& contacts) {
     sampleCloth(x, cloth.triangles(), cloth.topology().edges, samples);
-    finder.find(body.at(0.0), samples, kOffset, 0.01, contacts);
+    finder.find(body.at(0.0), samples, std::vector<double>(samples.size(), kOffset), 0.01, contacts);
   };
   State state = atRest(mesh.positions);
   TimeStep step = makeStep(cloth, {method, 1e-3, 1e-2});
@@ -104,6 +104,7 @@ TEST_CASE("a tube on a cylinder too thick for it adapts until it is within the l
     }
     input.pose_names.assign(3, "cylinder");
     input.garment = tubeOn(0.08);
+    input.offsets.assign(input.garment.positions.rows(), scene.collision.offset);
     scene.body = BodyScene{input.pose_names, "", 20, false};
     scene.solver.gravity.setZero();
     scene.adaption = AdaptionScene{limit, 4, 1, 80, false};

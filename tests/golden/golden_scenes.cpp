@@ -121,10 +121,9 @@ GoldenResult runGolden(const GoldenCase& which) {
   p.scene.solver.tolerance = 1e-5;
   p.scene.solver.residual = 1e-5;
   Cloth cloth(p.input.garment, p.scene.garment.grain, p.scene.material);
+  p.input.offsets.assign(p.input.garment.positions.rows(), p.scene.collision.offset);
   std::optional<MovingBody> body;
-  if (p.scene.body)
-    body.emplace(p.input.body_triangles, p.input.poses, p.scene.body->steps,
-                 LevelSetOptions{p.scene.collision.voxel, 0.03});
+  if (p.scene.body) body.emplace(movingBody(p.scene, p.input));
   State state;
   PassRecord record;
   runMotion(p.scene, p.input, body ? &*body : nullptr, cloth, {}, state, record);
