@@ -1,5 +1,6 @@
 #include "solver/step/minimiser.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/linear/dot.h"
@@ -10,6 +11,7 @@ namespace {
 
 constexpr int kMostHalvings = 20;
 constexpr double kSufficient = 1e-4;  // of the decrease that the slope promises
+constexpr double kForces = 4.0;       // times what forces add to the motion of a step: as good a measure as the motion
 constexpr double kLeastSpeed = 1e-3;  // m/s: a change of speed within a step that is not worth more digits
 
 }  // namespace
@@ -30,7 +32,8 @@ double residualAcceleration(const IncrementalPotential& potential, const Point& 
 
 double relativeDecrement(const IncrementalPotential& potential, const Point& point, double slope) {
   const double least = potential.totalMass() * kLeastSpeed * kLeastSpeed;
-  return std::sqrt(std::max(0.0, -slope) / (potential.correction(point.x) + least));
+  const double step = std::min(potential.motion(point.x), kForces * kForces * potential.correction(point.x));
+  return std::sqrt(std::max(0.0, -slope) / (step + least));
 }
 
 int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,

@@ -1,9 +1,10 @@
 // What the minimisers of the incremental potential share: when to stop, how far to go, what they report.
 //
 // The error of a step is measured by its decrement, sqrt(-g . d) with d the correction that a minimiser is about to
-// make: for Newton's method the distance to the minimum in the energy's own norm.  It is compared with what forces
-// add to the cloth's motion within the step, in the norm of its masses, |x - x_n - h v_n|_M / h, which that norm bounds
-// from above.  (Compared with the motion itself, cloth that falls fast enough would be done before it starts.)
+// make: for Newton's method the distance to the minimum in the energy's own norm.  It is compared with how far the step
+// moves the cloth in the norm of its masses, |x - x_n|_M / h, which that norm bounds from above, or with four times
+// what forces add to that motion, |x - x_n - h v_n|_M / h, where that is less: compared with the motion alone, cloth
+// that falls fast enough would be done before it starts.
 #pragma once
 
 #include <vector>
@@ -37,7 +38,7 @@ struct Point {
 /// Largest |dE/dx_i| / m_i, m/s^2.
 double residualAcceleration(const IncrementalPotential& potential, const Point& point);
 
-/// sqrt(-slope) over what forces add to the cloth's motion; slope = gradient . direction, J.
+/// sqrt(-slope) over how far the step moves the cloth, as above; slope = gradient . direction, J.
 double relativeDecrement(const IncrementalPotential& potential, const Point& point, double slope);
 
 /// Goes from `point` along `direction` (all of it, or half, or a quarter ...) until the potential is less, and writes
