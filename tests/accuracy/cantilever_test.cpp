@@ -37,6 +37,7 @@ double dropOverReach(int across, int rows, double gamma, double membrane, Method
 }
 
 struct Droop {
+  Method method;
   double gamma, expected;
   int rows;
   double membrane;  // stiffness, times the larger of what weight and bending ask for: 1e-3 of strain, or less
@@ -45,11 +46,12 @@ struct Droop {
 }  // namespace
 
 TEST_CASE("a clamped strip droops along the master curve") {
-  const Method method = GENERATE(Method::newton, Method::pd_lbfgs);
-  const Droop droop = GENERATE(Droop{1.0, 0.12456, 24, 1e5}, Droop{3.0, 0.36462, 24, 1e5}, Droop{10.0, 1.0668, 24, 1e3},
-                               Droop{30.0, 2.5472, 24, 1e4}, Droop{100.0, 5.8881, 40, 1e3});
-  const double narrow = dropOverReach(4, droop.rows, droop.gamma, droop.membrane, method);
-  const double wide = dropOverReach(8, droop.rows, droop.gamma, droop.membrane, method);
+  const Droop droop =
+      GENERATE(Droop{Method::pd_lbfgs, 1.0, 0.12456, 24, 1e5}, Droop{Method::pd_lbfgs, 3.0, 0.36462, 24, 1e5},
+               Droop{Method::pd_lbfgs, 10.0, 1.0668, 24, 1e3}, Droop{Method::pd_lbfgs, 30.0, 2.5472, 24, 1e4},
+               Droop{Method::pd_lbfgs, 100.0, 5.8881, 32, 1e3}, Droop{Method::newton, 10.0, 1.0668, 24, 1e3});
+  const double narrow = dropOverReach(4, droop.rows, droop.gamma, droop.membrane, droop.method);
+  const double wide = dropOverReach(8, droop.rows, droop.gamma, droop.membrane, droop.method);
   INFO("gamma " << droop.gamma << ", 4 and 8 triangles across: " << narrow << ", " << wide);
   CHECK(2.0 * wide - narrow == Approx(droop.expected).epsilon(0.01));
 }

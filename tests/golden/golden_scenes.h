@@ -28,8 +28,8 @@ struct GoldenCase {
 /// Every scene by every method that is meant for it.
 std::vector<GoldenCase> goldenCases();
 
-/// Runs one.
-GoldenResult runGolden(const GoldenCase& which);
+/// Runs one.  `disturbance`: by how much the vertices of the start shape are moved at random, at most, m.
+GoldenResult runGolden(const GoldenCase& which, double disturbance = 0.0);
 
 /// Compiler, its instruction set and optimisation: within one, results are the same to 1e-9 m; between two, to 1e-6 m.
 std::string buildName();
