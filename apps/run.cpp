@@ -83,7 +83,7 @@ class Run {
   void operator()() {
     const std::vector<Moment> moments = timeline(scene_, options_.adapting);
     const size_t done = options_.from ? options_.from->time_steps * record_.division.time_steps : 0;
-    const double body = done == 0 ? 0.0 : moments[std::min(done, moments.size()) - 1].body;
+    const double body = done == 0 || moments.empty() ? 0.0 : moments[std::min(done, moments.size()) - 1].body;
     begin(body, done < moments.size() ? moments[done].body : body);
     for (const Moment& moment : std::span(moments).subspan(std::min(done, moments.size()))) {
       if (options_.interrupted && *options_.interrupted) return;
