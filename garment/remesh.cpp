@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 #include "solver/mesh/error.h"
@@ -102,33 +103,28 @@ TriangleMesh remeshed(const TriangleMesh& mesh, double edge_length) {
 }
 
 TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::string& name) {
-  constexpr int kTrials = 20;
-  constexpr double kTolerance = 0.025, kOfCoarse = 0.06;
+  constexpr int kTrials = 8;  // with each source
+  constexpr double kTolerance = 0.025;
   // An equilateral mesh has area / (sqrt(3)/2 edge^2) vertices; the remesher makes about this many times as many.
   constexpr double kSurplus = 1.22;
   double area = 0.0;
   for (int t = 0; t < mesh.triangles.rows(); ++t) area += triangleArea(mesh.positions, mesh.triangles, t);
-  double edge = std::sqrt(kSurplus * area / (0.5 * std::sqrt(3.0) * vertices));
-  double too_short = 0.0, too_long = 0.0;  // edge lengths that gave too many vertices, and too few; 0: none so far
-  TriangleMesh best;
-  double least_error = kOfCoarse;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    TriangleMesh result = remeshed(mesh, edge);
-    const double ratio = static_cast<double>(result.positions.rows()) / vertices, error = std::abs(ratio - 1.0);
-    if (error <= kTolerance) return result;
-    if (error < least_error) {
-      least_error = error;
-      best = std::move(result);
+  const double expected = std::sqrt(kSurplus * area / (0.5 * std::sqrt(3.0) * vertices));
+  // The remesher treats all edges of a regular mesh alike, so that the number of vertices jumps with the edge length;
+  // where that is in the way it starts from a finer mesh of its own, which is irregular.
+  for (const bool from_finer : {false, true}) {
+    const TriangleMesh source = from_finer ? remeshed(mesh, 0.45 * expected) : mesh;
+    double edge = expected, too_short = 0.0, too_long = std::numeric_limits<double>::infinity();
+    for (int trial = 0; trial < kTrials; ++trial) {
+      TriangleMesh result = remeshed(source, edge);
+      const double ratio = static_cast<double>(result.positions.rows()) / vertices;
+      if (std::abs(ratio - 1.0) <= kTolerance) return result;
+      (ratio > 1.0 ? too_short : too_long) = edge;
+      edge *= std::sqrt(ratio);
+      if (edge <= too_short || edge >= too_long) edge = std::sqrt(too_short * too_long);
     }
-    (ratio > 1.0 ? too_short : too_long) = edge;
-    edge *= std::sqrt(ratio);
-    // Coarse meshes jump: between two lengths that were tried, the middle.
-    const bool outside = edge <= too_short || edge >= too_long;
-    if (too_short > 0.0 && too_long > 0.0 && outside) edge = 0.5 * (too_short + too_long);
   }
-  if (best.positions.rows() > 0) return best;
-  throw ComputationError(fmt::format("{}: no mesh within {:.1f} % of {} vertices in {} trials", name, 100.0 * kOfCoarse,
-                                     vertices, kTrials));
+  throw ComputationError(fmt::format("{}: no mesh within {:.1f} % of {} vertices", name, 100.0 * kTolerance, vertices));
 }
 
 }  // namespace ease
