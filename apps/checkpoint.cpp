@@ -22,17 +22,17 @@ struct Writer {
   std::string bytes;
   void raw(const void* data, size_t size) { bytes.append(static_cast<const char*>(data), size); }
   template <class T>
-  void number(T& value) {
+  void number(const T& value) {
     raw(&value, sizeof value);
   }
   template <class T>
-  void array(std::vector<T>& values) {
-    std::uint64_t count = values.size();
+  void array(const std::vector<T>& values) {
+    const std::uint64_t count = values.size();
     number(count);
     raw(values.data(), count * sizeof(T));
   }
-  void rows(Positions& x) {
-    std::uint64_t count = x.rows();
+  void rows(const Positions& x) {
+    const std::uint64_t count = x.rows();
     number(count);
     raw(x.data(), count * 3 * sizeof(double));
   }
@@ -67,8 +67,8 @@ struct Reader {
   }
 };
 
-template <class Bytes>
-void members(Bytes& bytes, Checkpoint& c) {
+template <class Bytes, class C>
+void members(Bytes& bytes, C& c) {
   bytes.number(c.time_steps);
   bytes.number(c.time_step_s);
   bytes.number(c.steps_per_pose);
@@ -86,8 +86,7 @@ void members(Bytes& bytes, Checkpoint& c) {
 void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint) {
   Writer writer;
   writer.bytes = kMagic;
-  Checkpoint copy = checkpoint;
-  members(writer, copy);
+  members(writer, checkpoint);
   writeWholeFile(file, writer.bytes);
 }
 

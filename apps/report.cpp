@@ -105,6 +105,7 @@ Json toJson(const Report& report, const Scene& scene) {
   solver["factorisations"] = run.factorisations;
   solver["contact_rounds"] = run.contact_rounds;
   solver["adaptions"] = run.adaptions;
+  solver["contact_stiffness_N_m3"] = run.contact_stiffness;
   json["solver"] = solver;
   json["rescues"] = {{"step_halvings", run.halvings},
                      {"voxels_on_demand", run.voxels_on_demand},

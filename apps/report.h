@@ -29,6 +29,7 @@ struct PassRecord {
   double final_speed_m_s = 0.0;  // largest of a vertex, at the end
   double level_set_s = 0.0, interpolation_s = 0.0, step_s = 0.0, adaption_s = 0.0, output_s = 0.0;
   double level_set_MB = 0.0;
+  double contact_stiffness = 0.0;  // N/m^3: the scene's, or more where the body is fast
   long projective_iterations = 0, handed_over = 0, contact_rounds = 0;
   long newton_iterations = 0, cg_iterations = 0, factorisations = 0;
   long halvings = 0, voxels_on_demand = 0, settle_steps = 0, adaptions = 0;

@@ -12,7 +12,8 @@
 #include "adaption/clip.h"
 #include "adaption/stitch.h"
 #include "apps/frames.h"
-#include "collision/body_pins.h"
+#include "apps/garment_pins.h"
+#include "apps/stopwatch.h"
 #include "solver/mesh/error.h"
 
 namespace ease {
@@ -22,19 +23,6 @@ namespace {
 constexpr double kRecoverySpeed = 4.0;    // m/s: at most, of cloth that got too near to the body, beside the body's own
 constexpr double kBeyondComfort = 0.025;  // m: level sets are exact this far beyond the largest comfort offset
 constexpr double kLeastWay = 1e-3;        // m: of cloth that the body meets, however small the offset
-
-/// Adds the wall time of its scope.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// A task beside the step, waited for however the step ends.
 struct Ahead {
@@ -84,6 +72,7 @@ class Run {
     const std::vector<Moment> moments = timeline(scene_, options_.adapting);
     const size_t done = options_.from ? options_.from->time_steps * record_.division.time_steps : 0;
     const double body = done == 0 || moments.empty() ? 0.0 : moments[std::min(done, moments.size()) - 1].body;
+    record_.contact_stiffness = contact_stiffness_;
     begin(body, done < moments.size() ? moments[done].body : body);
     for (const Moment& moment : std::span(moments).subspan(std::min(done, moments.size()))) {
       if (options_.interrupted && *options_.interrupted) return;
@@ -128,27 +117,14 @@ class Run {
   /// Vertices pinned from the start keep their place on the first pose; those that a changed scene pins while going on,
   /// the place where they are.
   void pin(double body) {
-    std::vector<int> tied[2];  // to the body: from the start; from now
-    const std::vector<int> none, &before = options_.from ? options_.from->pinned : none;
-    for (size_t k = 0; k < input_.pins.size(); ++k)
-      for (const int v : input_.pins[k]) {
-        const bool now = options_.from && std::find(before.begin(), before.end(), v) == before.end();
-        if (scene_.garment.pins[k].to_body) {
-          tied[now].push_back(v);
-        } else {
-          fixed_.push_back(v);
-          fixed_at_.emplace_back((now ? state_.positions : input_.garment.positions).row(v));
-        }
-      }
-    for (const int now : {0, 1}) {
-      if (!body_ || tied[now].empty()) continue;
-      Positions surface = input_.poses.front();
-      if (now) body_->positions(body, surface);
-      body_pins_.emplace_back(tied[now], now ? state_.positions : input_.garment.positions, surface,
-                              body_->triangles());
-      pins_.vertices.insert(pins_.vertices.end(), tied[now].begin(), tied[now].end());
-    }
-    pins_.vertices.insert(pins_.vertices.end(), fixed_.begin(), fixed_.end());
+    const Positions no_body, &first = body_ ? input_.poses.front() : no_body;
+    if (!options_.from) return pins_.add(scene_, input_, state_.positions, first, [](int) { return true; });
+    const std::vector<int>& before = options_.from->pinned;
+    const auto wasPinned = [&](int v) { return std::find(before.begin(), before.end(), v) != before.end(); };
+    pins_.add(scene_, input_, input_.garment.positions, first, wasPinned);
+    Positions surface;
+    if (body_) body_->positions(body, surface);
+    pins_.add(scene_, input_, state_.positions, surface, [&](int v) { return !wasPinned(v); });
   }
 
   void keep(const Moment& moment) {
@@ -163,7 +139,7 @@ class Run {
     checkpoint.rest_positions = cloth_.restPositions();
     checkpoint.rest_edges = cloth_.restEdges();
     if (stitcher_) checkpoint.wanted_edges = stitcher_->wanted();
-    checkpoint.pinned = pins_.vertices;
+    checkpoint.pinned = pins_.vertices();
     options_.keep(checkpoint);
     step_.forget();
     contacts_.forget();
@@ -179,10 +155,10 @@ class Run {
       ahead.group.run([&] { body_->prepare(moment.next_level_set, expected_samples_); });
     }
     const Stopwatch watch(record_.step_s);
-    placePins(moment);
     const StepOptions options{scene_.solver.time_step, scene_.solver.gravity, contact_stiffness_};
-    const StepSummary step = step_.step(
-        state_, options, pins_, [&](const Positions& x, Contacts& contacts) { findContacts(moment, x, contacts); });
+    const StepSummary step = step_.step(state_, options, pinsAt(moment), [&](const Positions& x, Contacts& contacts) {
+      findContacts(moment, x, contacts);
+    });
     if (moment.step % record_.division.time_steps == 0) {
       ++record_.steps;
       if (moment.step > motion_steps_) ++record_.settle_steps;
@@ -202,10 +178,10 @@ class Run {
     }
   }
 
-  void placePins(const Moment& moment) {
-    pins_.positions.clear();
-    for (const BodyPins& tied : body_pins_) tied.place(body_->at(moment.body), pins_.positions);
-    pins_.positions.insert(pins_.positions.end(), fixed_at_.begin(), fixed_at_.end());
+  const Pins& pinsAt(const Moment& moment) {
+    if (!body_) return pins_.at(nullptr);
+    const BodyMoment body = body_->at(moment.body);
+    return pins_.at(&body);
   }
 
   void findContacts(const Moment& moment, const Positions& x, Contacts& contacts) {
@@ -251,7 +227,7 @@ class Run {
       body_->positions(moment.body, body_frame.positions);
       options_.series->body->write(moment.time_s, std::move(body_frame));
     }
-    const GarmentFields fields{stretch_, *options_.first_areas, gap_, pressure_, pins_.vertices};
+    const GarmentFields fields{stretch_, *options_.first_areas, gap_, pressure_, pins_.vertices()};
     options_.series->garment.write(moment.time_s, garmentFrame(cloth_, state_, fields));
     options_.series->rest.write(moment.time_s, restFrame(cloth_, *options_.first_areas));
   }
@@ -270,13 +246,10 @@ class Run {
   std::optional<StretchClip> clip_;
   std::optional<Stitcher> stitcher_;
   int vertex_count_, edge_count_;
-  double most_recovery_;        // m in a time step
-  double contact_stiffness_;    // N/m^3
-  int motion_steps_;            // without settling
-  std::vector<int> fixed_;      // vertices
-  std::vector<Vec3> fixed_at_;  // m
-  std::vector<BodyPins> body_pins_;
-  Pins pins_;
+  double most_recovery_;      // m in a time step
+  double contact_stiffness_;  // N/m^3
+  int motion_steps_;          // without settling
+  GarmentPins pins_;
   std::vector<Vec3> samples_, expected_samples_;
   std::vector<double> sample_offsets_, distances_, gap_, pressure_;
   std::vector<Stretch> stretch_;

@@ -244,18 +244,19 @@ double IncrementalPotential::gradient(const Positions& x, Positions& gradient) {
   return std::accumulate(partial_.begin(), partial_.end(), energy);
 }
 
-double IncrementalPotential::motion(const Positions& x) const {
-  const double sum = parallelSum(cloth_.vertexCount(),
-                                 [&](int i) { return cloth_.masses()[i] * (x.row(i) - start_.row(i)).squaredNorm(); });
+double IncrementalPotential::kinetic(const Positions& x, const Positions& from, const Vec3& shift) const {
+  const double sum = parallelSum(cloth_.vertexCount(), [&](int i) {
+    return cloth_.masses()[i] * (x.row(i) - from.row(i) - shift.transpose()).squaredNorm();
+  });
   return sum / (options_.h * options_.h);
 }
 
+double IncrementalPotential::motion(const Positions& x) const {
+  return kinetic(x, start_, Vec3::Zero());
+}
+
 double IncrementalPotential::correction(const Positions& x) const {
-  const Vec3 fall = options_.h * options_.h * options_.gravity;
-  const double sum = parallelSum(cloth_.vertexCount(), [&](int i) {
-    return cloth_.masses()[i] * (x.row(i).transpose() - inertial_.row(i).transpose() + fall).squaredNorm();
-  });
-  return sum / (options_.h * options_.h);
+  return kinetic(x, inertial_, -options_.h * options_.h * options_.gravity);  // inertial_ has fallen already
 }
 
 double IncrementalPotential::roundOff(const Positions& x, double energy) const {

@@ -112,6 +112,8 @@ class IncrementalPotential {
       }
   }
   Vec3 gatherContact(int vertex) const;
+  /// Twice the kinetic energy of moving from `from` + shift to x within the step, J.
+  double kinetic(const Positions& x, const Positions& from, const Vec3& shift) const;
 
   const Cloth& cloth_;
   int rest_revision_ = -1;  // of the cloth's, that the bending matrix has
