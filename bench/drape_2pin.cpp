@@ -14,7 +14,7 @@
 #include <chrono>
 
 #include "adaption/stretch_measure.h"
-#include "bench/arguments.h"
+#include "bench/program.h"
 #include "bench/step_curve.h"
 #include "solver/mesh/error.h"
 
@@ -105,14 +105,6 @@ void registerAll(bool quick) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  const bool quick = takeFlag(argc, argv, "quick");
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  registerAll(quick);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
-} catch (const std::exception& error) {
-  fmt::print(stderr, "drape_2pin: {}\n", error.what());
-  return 1;
+int main(int argc, char** argv) {
+  return runBenchmarks(argc, argv, "drape_2pin", registerAll);
 }

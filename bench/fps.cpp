@@ -9,7 +9,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "bench/arguments.h"
+#include "bench/program.h"
 #include "bench/settings.h"
 #include "bench/timed_job.h"
 #include "solver/mesh/error.h"
@@ -95,15 +95,7 @@ void registerAll(bool quick, const std::filesystem::path& data) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  const bool quick = takeFlag(argc, argv, "quick");
+int main(int argc, char** argv) {
   const std::string data = takeOption(argc, argv, "data", EASE_SHARED_DATA);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  registerAll(quick, data);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
-} catch (const std::exception& error) {
-  fmt::print(stderr, "fps: {}\n", error.what());
-  return 1;
+  return runBenchmarks(argc, argv, "fps", [&](bool quick) { registerAll(quick, data); });
 }

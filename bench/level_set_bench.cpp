@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <string>
 
-#include "bench/arguments.h"
+#include "bench/program.h"
 #include "collision/level_set.h"
 #include "solver/mesh/mesh_io.h"
 #include "solver/mesh/topology.h"

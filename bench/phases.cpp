@@ -17,8 +17,8 @@
 
 #include <cmath>
 
-#include "bench/arguments.h"
 #include "bench/machine_bounds.h"
+#include "bench/program.h"
 #include "bench/sheets.h"
 #include "collision/contacts.h"
 #include "collision/level_set.h"
@@ -208,14 +208,6 @@ void registerAll(bool quick) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  const bool quick = takeFlag(argc, argv, "quick");
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  registerAll(quick);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
-} catch (const std::exception& error) {
-  fmt::print(stderr, "phases: {}\n", error.what());
-  return 1;
+int main(int argc, char** argv) {
+  return runBenchmarks(argc, argv, "phases", registerAll);
 }

@@ -6,7 +6,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "bench/arguments.h"
+#include "bench/program.h"
 #include "bench/step_curve.h"
 #include "bench/trajectory_curve.h"
 
@@ -46,14 +46,6 @@ void registerFull() {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  const bool quick = takeFlag(argc, argv, "quick");
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  quick ? registerQuick() : registerFull();
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
-} catch (const std::exception& error) {
-  fmt::print(stderr, "speed_accuracy: {}\n", error.what());
-  return 1;
+int main(int argc, char** argv) {
+  return runBenchmarks(argc, argv, "speed_accuracy", [](bool quick) { quick ? registerQuick() : registerFull(); });
 }

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <optional>
 
-#include "bench/arguments.h"
+#include "bench/program.h"
 #include "bench/settings.h"
 #include "bench/step_error.h"
 #include "solver/mesh/error.h"
@@ -128,14 +128,6 @@ void registerAll(bool quick) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  const bool quick = takeFlag(argc, argv, "quick");
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  registerAll(quick);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
-} catch (const std::exception& error) {
-  fmt::print(stderr, "stability: {}\n", error.what());
-  return 1;
+int main(int argc, char** argv) {
+  return runBenchmarks(argc, argv, "stability", registerAll);
 }

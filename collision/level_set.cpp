@@ -9,6 +9,7 @@
 
 #include "collision/self_overlap.h"
 #include "collision/triangle_tree_data.h"
+#include "collision/voxel_blend.h"
 #include "collision/voxel_marks.h"
 #include "solver/linear/parallel.h"
 #include "solver/mesh/error.h"
@@ -22,25 +23,12 @@ using Leaf = Tree::LeafNodeType;
 using Accessor = openvdb::tree::ValueAccessor<const Tree, false>;
 using openvdb::Coord;
 
-constexpr int kSide = Leaf::DIM;    // voxels along a leaf
-constexpr double kAgreement = 0.9;  // of corners' gradients, as the length of their mean: below, the surface is folded
+constexpr int kSide = Leaf::DIM;  // voxels along a leaf
 constexpr float kUnfilled = std::numeric_limits<float>::quiet_NaN();
-
-/// What a corner holds; the leaf's own buffer has phi too.
-struct Corner {
-  float gradient[3];  // unit; zero beyond the band
-  float phi;          // m
-};
 
 struct Voxel {
   Leaf* leaf;
   int offset;
-};
-
-/// The voxel that a sample lies in; corner 4 i + 2 j + k is i, j, k steps up along x, y, z from the lowest.
-struct Surroundings {
-  float within[3];  // where the sample lies between the lowest corner, 0, and the highest, 1
-  const Corner* corner[8];
 };
 
 /// Of the corners one step before along z, y or x that are filled, the first; -1: none.
@@ -59,9 +47,9 @@ struct LevelSet::Data {
   float far;           // the same: |phi| of a corner beyond it
   VoxelMarks marks;
   openvdb::FloatGrid::Ptr grid;
-  std::vector<Leaf*> leaves;    // leaf l has transientData() l
-  std::vector<Corner> corners;  // of leaf l: corners[512 l] ... in the order of its buffer
-  std::vector<int> nearest;     // triangle nearest to each corner; -1 beyond the band
+  std::vector<Leaf*> leaves;         // leaf l has transientData() l
+  std::vector<VoxelCorner> corners;  // of leaf l: corners[512 l] ... in the order of its buffer; it has phi too
+  std::vector<int> nearest;          // triangle nearest to each corner; -1 beyond the band
   const TriangleTree* body = nullptr;
   Eigen::AlignedBox3d reach;                   // outside, every distance is beyond the band
   std::vector<unsigned char> nearest_to_some;  // of the body's triangles: whether it is nearest to a corner
@@ -85,7 +73,6 @@ struct LevelSet::Data {
   Vec3 gradientAt(const Vec3& x, const ClosestPoint& found) const;
   void demand(const Coord& corner, openvdb::tree::ValueAccessor<Tree, false>& accessor);
   LevelSetSample sampleAt(const Vec3& x, Accessor& accessor) const;
-  LevelSetSample blend(const Vec3& x, const Surroundings& around) const;
   LevelSetSample exactAt(const Vec3& x, int nearby) const;
 };
 
@@ -201,7 +188,7 @@ LevelSetSample LevelSet::Data::sampleAt(const Vec3& x, Accessor& accessor) const
   if (!reach.contains(x)) return {x.allFinite() ? options.band : kUnfilled, Vec3::Zero(), -1};
   const Vec3 index = x * per_voxel;
   const Coord low = cell(x);
-  Surroundings around;
+  VoxelCorners around;
   for (int axis = 0; axis < 3; ++axis) around.within[axis] = static_cast<float>(index[axis] - low[axis]);
   // Bits of the axes along which the upper corners lie in the next leaf; a corner's leaf is that of the first with its
   // bits.
@@ -215,31 +202,12 @@ LevelSetSample LevelSet::Data::sampleAt(const Vec3& x, Accessor& accessor) const
     if (!leaf[c] || !leaf[c]->isValueOn(offset)) return {kUnfilled, Vec3::Zero(), -1};
     around.corner[c] = &corners[leaf[c]->transientData() * size_t{Leaf::SIZE} + offset];
   }
-  return blend(x, around);
-}
-
-LevelSetSample LevelSet::Data::blend(const Vec3& x, const Surroundings& around) const {
-  const float* f = around.within;
-  const float along_x[2] = {1.0f - f[0], f[0]}, along_y[2] = {1.0f - f[1], f[1]}, along_z[2] = {1.0f - f[2], f[2]};
-  Eigen::Array4f sum = Eigen::Array4f::Zero();  // of w_i (g_i, phi_i)
-  float slope = 0.0f;
-  for (int c = 0; c < 8; ++c) {
-    const int i = c >> 2, j = (c >> 1) & 1, k = c & 1;
-    const Corner& corner = *around.corner[c];
-    if (std::abs(corner.phi) >= far) return {std::copysign(options.band, corner.phi), Vec3::Zero(), -1};
-    const float* g = corner.gradient;
-    const float weight = along_x[i] * along_y[j] * along_z[k];
-    sum += weight * Eigen::Map<const Eigen::Array4f>(g);
-    slope += weight * (g[0] * (f[0] - i) + g[1] * (f[1] - j) + g[2] * (f[2] - k));
-  }
-  const double distance = sum[3] + 0.5 * options.voxel * slope;
-  if (std::abs(distance) >= options.band) return {std::copysign(options.band, distance), Vec3::Zero(), -1};
-  const Corner* closest = around.corner[(f[0] > 0.5f ? 4 : 0) + (f[1] > 0.5f ? 2 : 0) + (f[2] > 0.5f ? 1 : 0)];
-  const int triangle = nearest[closest - corners.data()];
-  const Vec3 normal(sum[0], sum[1], sum[2]);
-  const double agreement = normal.norm();
-  if (agreement < kAgreement) return exactAt(x, triangle);
-  return {distance, normal / agreement, triangle};
+  const VoxelBlend found = blend(around, options.voxel, far);
+  if (found.beyond || std::abs(found.phi) >= options.band)
+    return {std::copysign(options.band, found.phi), Vec3::Zero(), -1};
+  const int triangle = nearest[around.corner[found.closest] - corners.data()];
+  if (found.folded) return exactAt(x, triangle);
+  return {found.phi, found.normal, triangle};
 }
 
 LevelSetSample LevelSet::Data::exactAt(const Vec3& x, int nearby) const {
@@ -290,7 +258,7 @@ void LevelSet::Data::demand(const Coord& corner, openvdb::tree::ValueAccessor<Tr
 }
 
 size_t LevelSet::memoryBytes() const {
-  return data_->grid->tree().memUsage() + data_->corners.capacity() * (sizeof(Corner) + sizeof(int)) +
+  return data_->grid->tree().memUsage() + data_->corners.capacity() * (sizeof(VoxelCorner) + sizeof(int)) +
          data_->leaves.capacity() * sizeof(Leaf*) + data_->nearest_to_some.capacity() + data_->overlap.memoryBytes();
 }
 

@@ -1,17 +1,9 @@
 // Level set of one pose of the body, filled only where the garment can be.
 //
-//   x_i, phi_i      corners of the voxel around x and their exact signed distances, m
-//   g_i             exact unit gradients there: (x_i - closest point) / phi_i
-//   w_i             trilinear weights of x
-//
-//   phi(x) = sum w_i [phi_i + g_i . (x - x_i) / 2],      normal(x) = sum w_i g_i, normalised
-//
-// The errors of trilinear interpolation (phi_i alone) and of blended tangent planes (the whole of g_i) are equal and
-// opposite to second order; their mean is of third order where phi is smooth.  A sparse grid holds phi; its unfilled
-// corners are NaN, so that a sample that needs one shows itself.  Corners are searched as far as band + sqrt(3) voxels,
-// so that all eight of a sample within the band are exact.  Where the corners' gradients disagree, in a fold or at a
-// ridge, nothing blended is right, and the sample is computed exactly.  The body is the union of all that its surface
-// encloses.
+// A sparse grid holds the exact distances at the corners of voxels, and voxel_blend.h says what they make of a sample;
+// its unfilled corners are NaN, so that a sample that needs one shows itself.  Corners are searched as far as
+// band + sqrt(3) voxels, so that all eight of a sample within the band are exact.  In a fold or at a ridge the sample
+// is computed exactly.  The body is the union of all that its surface encloses.
 #pragma once
 
 #include <memory>

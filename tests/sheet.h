@@ -1,7 +1,9 @@
 // Meshes and numbers that several tests share.
 #pragma once
 
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <random>
 
 #include "solver/mesh/triangle_mesh.h"
@@ -35,6 +37,26 @@ inline TriangleMesh makeSheet(int n, int m, double width, double height, double 
       }
     }
   return sheet;
+}
+
+/// Open tube about the y axis from y = 0 on, facing outwards; vertex i of ring j is j * around + i.
+inline TriangleMesh makeTube(int around, int along, double radius, double height) {
+  TriangleMesh tube;
+  tube.positions.resize(around * (along + 1), 3);
+  for (int j = 0; j <= along; ++j)
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / around;
+      tube.positions.row(j * around + i) << radius * std::cos(angle), height * j / along, radius * std::sin(angle);
+    }
+  tube.triangles.resize(2 * around * along, 3);
+  int t = 0;
+  for (int j = 0; j < along; ++j)
+    for (int i = 0; i < around; ++i) {
+      const int a = j * around + i, b = j * around + (i + 1) % around;
+      tube.triangles.row(t++) << a, a + around, b;
+      tube.triangles.row(t++) << b, a + around, b + around;
+    }
+  return tube;
 }
 
 /// Random numbers in [-1, 1], n x 3, the same every time.

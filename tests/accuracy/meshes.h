@@ -50,26 +50,6 @@ inline TriangleMesh makeEquilateral(int n, int m, double edge) {
   return sheet;
 }
 
-/// Open tube about the y axis from y = 0 on, facing outwards; vertex i of ring j is j * around + i.
-inline TriangleMesh makeTube(int around, int along, double radius, double height) {
-  TriangleMesh tube;
-  tube.positions.resize(around * (along + 1), 3);
-  for (int j = 0; j <= along; ++j)
-    for (int i = 0; i < around; ++i) {
-      const double angle = 2.0 * M_PI * i / around;
-      tube.positions.row(j * around + i) << radius * std::cos(angle), height * j / along, radius * std::sin(angle);
-    }
-  tube.triangles.resize(2 * around * along, 3);
-  int t = 0;
-  for (int j = 0; j < along; ++j)
-    for (int i = 0; i < around; ++i) {
-      const int a = j * around + i, b = j * around + (i + 1) % around;
-      tube.triangles.row(t++) << a, a + around, b;
-      tube.triangles.row(t++) << b, a + around, b + around;
-    }
-  return tube;
-}
-
 /// Icosahedron, each of its triangles cut into four `divisions` times, with its vertices on the sphere; outwards.
 inline TriangleMesh makeSphere(int divisions, double radius) {
   const double g = 0.5 * (1.0 + std::sqrt(5.0));

@@ -10,6 +10,7 @@
 #include "tests/accuracy/equilibrium.h"
 #include "tests/accuracy/meshes.h"
 #include "tests/collision/bodies.h"
+#include "tests/sheet.h"
 
 using namespace ease;
 

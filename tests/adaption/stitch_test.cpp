@@ -10,26 +10,6 @@ using namespace ease;
 
 namespace {
 
-// A tube of cloth about the y axis.
-TriangleMesh makeTube(int around, int along, double radius, double height) {
-  TriangleMesh tube;
-  tube.positions.resize(around * (along + 1), 3);
-  for (int j = 0; j <= along; ++j)
-    for (int i = 0; i < around; ++i) {
-      const double angle = 2.0 * M_PI * i / around;
-      tube.positions.row(j * around + i) << radius * std::cos(angle), height * j / along, radius * std::sin(angle);
-    }
-  tube.triangles.resize(2 * around * along, 3);
-  int t = 0;
-  for (int j = 0; j < along; ++j)
-    for (int i = 0; i < around; ++i) {
-      const int a = j * around + i, b = j * around + (i + 1) % around;
-      tube.triangles.row(t++) << a, a + around, b;
-      tube.triangles.row(t++) << b, a + around, b + around;
-    }
-  return tube;
-}
-
 double largestGrowth(const std::vector<Mat2>& first_inverse, const Cloth& cloth, int t) {
   const Mat2 map = cloth.restEdges()[t] * first_inverse[t];
   return principalStretch(map.transpose() * map).sigma_1;

@@ -1,6 +1,8 @@
 // Scenes of cloth and a moving body in which methods are known to fail, through the whole run: interpolated poses,
 // level sets, contacts, steps.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <numeric>
 
 #include "adaption/clip.h"
 #include "apps/run.h"
@@ -11,18 +13,9 @@ using namespace ease;
 
 namespace {
 
-/// A tube around the y axis, open at both ends.
-TriangleMesh makeTube(double radius, double low, double high, int around, int rows) {
-  TriangleMesh tube = makeSheet(around, rows, 1.0, high - low);
-  Positions rolled((rows + 1) * around, 3);
-  const auto vertex = [&](int flat) { return flat / (around + 1) * around + flat % (around + 1) % around; };
-  for (int v = 0; v < tube.positions.rows(); ++v) {
-    const double turn = 2.0 * std::numbers::pi * (v % (around + 1)) / around;
-    rolled.row(vertex(v)) << radius * std::sin(turn), low + tube.positions(v, 1), radius * std::cos(turn);
-  }
-  tube.positions = rolled;
-  for (int k = 0; k < tube.triangles.size(); ++k) tube.triangles.data()[k] = vertex(tube.triangles.data()[k]);
-  return tube;
+/// With half its height below the origin.
+TriangleMesh makeCentredTube(int around, int along, double radius, double height) {
+  return bodies::moved(makeTube(around, along, radius, height), Vec3(0.0, -0.5 * height, 0.0));
 }
 
 /// A run of a garment on poses that are given as meshes, not files.
@@ -61,14 +54,19 @@ struct Trial {
 
   double deepestVertex() const { return record.penetration.vertices; }  // m
 
-  /// How much longer than at first the longest edge has become.
-  double largestGrowth() const {
-    double most = 0.0;
+  /// How many times as long as at first the edges have become.
+  std::vector<double> growths() const {
+    std::vector<double> growths;
     for (const Edge& edge : cloth->topology().edges) {
       const auto length = [&](const Positions& x) { return (x.row(edge.vertex[0]) - x.row(edge.vertex[1])).norm(); };
-      most = std::max(most, length(cloth->restPositions()) / length(input.garment.positions));
+      growths.push_back(length(cloth->restPositions()) / length(input.garment.positions));
     }
-    return most;
+    return growths;
+  }
+  double largestGrowth() const { return std::ranges::max(growths()); }
+  double meanGrowth() const {
+    const std::vector<double> all = growths();
+    return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
   }
 };
 
@@ -96,7 +94,7 @@ TEST_CASE("a ball that flies into hanging cloth takes it along, at 1, 10 and 100
 
 TEST_CASE("a limb a voxel thick keeps its sleeve") {
   const TriangleMesh limb = bodies::capsule(0.15, 0.005, 4);
-  Trial trial(makeTube(0.012, -0.05, 0.05, 12, 12), {limb, bodies::moved(limb, Vec3(0.1, 0.0, 0.0))}, anyMethod());
+  Trial trial(makeCentredTube(12, 12, 0.012, 0.1), {limb, bodies::moved(limb, Vec3(0.1, 0.0, 0.0))}, anyMethod());
   trial.scene.solver.gravity.setZero();
   trial.run();
   CHECK(trial.deepestVertex() <= 1e-4);
@@ -107,7 +105,7 @@ TEST_CASE("a limb through a limb leaves the cloth finite and near") {
   const TriangleMesh arm = bodies::capsule(0.15, 0.04, 6);
   const TriangleMesh apart = bodies::joined(arm, bodies::moved(arm, Vec3(0.2, 0.0, 0.0)));
   const TriangleMesh crossed = bodies::joined(arm, bodies::moved(arm, Vec3(0.03, 0.0, 0.0)));
-  Trial trial(makeTube(0.05, -0.1, 0.1, 20, 12), {apart, crossed, apart}, anyMethod());
+  Trial trial(makeCentredTube(20, 12, 0.05, 0.2), {apart, crossed, apart}, anyMethod());
   trial.run();
   CHECK(trial.record.contact.held + trial.record.contact.limited > 0);
   CHECK(trial.state.velocities.rowwise().norm().maxCoeff() < 30.0);
@@ -131,7 +129,7 @@ TEST_CASE("cloth between two limbs that close on it stays between them") {
 
 TEST_CASE("a pose that jumps beyond the level set's band is divided, and takes its sleeve along") {
   const TriangleMesh limb = bodies::capsule(0.15, 0.04, 6);
-  Trial trial(makeTube(0.05, -0.05, 0.05, 20, 8), {limb, bodies::moved(limb, Vec3(0.2, 0.0, 0.0))}, anyMethod());
+  Trial trial(makeCentredTube(20, 8, 0.05, 0.1), {limb, bodies::moved(limb, Vec3(0.2, 0.0, 0.0))}, anyMethod());
   trial.scene.body->steps = 1;
   trial.scene.solver.steps_per_pose = 1;
   trial.run();
@@ -163,7 +161,7 @@ TEST_CASE("two poses in turn, time and again, let a sleeve out once") {
   thick.positions.col(0) *= 1.25;
   thick.positions.col(2) *= 1.25;
   const auto growthAfter = [&](int cycles) {
-    Trial trial(makeTube(0.046, -0.05, 0.05, 20, 8), {thin, thick}, "auto");
+    Trial trial(makeCentredTube(20, 8, 0.046, 0.1), {thin, thick}, "auto");
     trial.scene.solver.gravity.setZero();
     trial.input.pins = {{80, 90}};  // or the sleeve slips off
     trial.scene.garment.pins.emplace_back();
@@ -174,10 +172,10 @@ TEST_CASE("two poses in turn, time and again, let a sleeve out once") {
     trial.scene.body->steps = 6;
     trial.scene.solver.steps_per_pose = 2;
     trial.run();
-    return trial.largestGrowth();
+    CHECK(trial.largestGrowth() < 1.3);  // beside the pins, which hold what the thick limb turns
+    return trial.meanGrowth();
   };
   const double some = growthAfter(50), many = growthAfter(100);
-  CHECK(some > 1.1);
-  CHECK(many < some + 0.02);
-  CHECK(many < 1.25);
+  CHECK(some > 1.05);
+  CHECK(many < some + 0.002);
 }

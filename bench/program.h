@@ -1,7 +1,12 @@
-// Options of a bench program's own, beside those of Google Benchmark.
+// What the programs share: options of their own, beside those of Google Benchmark, and the course of main().
 #pragma once
 
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <exception>
+#include <functional>
 #include <string>
 
 namespace ease {
@@ -28,6 +33,20 @@ inline bool takeFlag(int& count, char** arguments, const std::string& name) {
     return true;
   }
   return false;
+}
+
+/// Runs what `register_all` registers, fewer and shorter ones with `--quick`; the exit code.  Errors name the program.
+inline int runBenchmarks(int count, char** arguments, const std::string& program,
+                         const std::function<void(bool quick)>& register_all) try {
+  const bool quick = takeFlag(count, arguments, "quick");
+  benchmark::Initialize(&count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
+  register_all(quick);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "{}: {}\n", program, error.what());
+  return 1;
 }
 
 }  // namespace ease

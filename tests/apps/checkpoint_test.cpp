@@ -1,0 +1,59 @@
+#include "apps/checkpoint.h"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "solver/mesh/error.h"
+#include "tests/apps/temporary_directory.h"
+#include "tests/sheet.h"
+
+using namespace ease;
+using Catch::Contains;
+
+namespace {
+
+Checkpoint someCheckpoint() {
+  Checkpoint c;
+  c.time_steps = 120;
+  c.time_step_s = 0.0025;
+  c.steps_per_pose = 4;
+  c.interpolation_steps = 60;
+  c.state = {randomPositions(7, 1), randomPositions(7, 2)};
+  c.rest_positions = randomPositions(7, 3);
+  c.rest_edges.assign(5, (Mat2() << 1.0 / 3.0, 0.1, 0.0, 2.0).finished());
+  c.pinned = {3, 1};
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("a checkpoint is read as it was written, to the last bit") {
+  const TemporaryDirectory directory;
+  const auto file = directory.path / "checkpoint.bin";
+  const Checkpoint written = someCheckpoint();
+  writeCheckpoint(file, written);
+  const Checkpoint read = readCheckpoint(file);
+  CHECK(read.time_steps == written.time_steps);
+  CHECK(read.time_step_s == written.time_step_s);
+  CHECK(read.steps_per_pose == written.steps_per_pose);
+  CHECK(read.interpolation_steps == written.interpolation_steps);
+  CHECK(read.state.positions == written.state.positions);
+  CHECK(read.state.velocities == written.state.velocities);
+  CHECK(read.rest_positions == written.rest_positions);
+  CHECK(read.rest_edges == written.rest_edges);
+  CHECK(read.wanted_edges.empty());
+  CHECK(read.pinned == written.pinned);
+}
+
+TEST_CASE("a checkpoint that is cut short anywhere, or is another file, is refused by its name") {
+  const TemporaryDirectory directory;
+  const auto file = directory.path / "checkpoint.bin";
+  writeCheckpoint(file, someCheckpoint());
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  for (size_t length = 0; length < bytes.size(); length += 37) {
+    const auto cut = directory.write("cut.bin", bytes.substr(0, length));
+    CHECK_THAT(messageOf<InputError>([&] { readCheckpoint(cut); }), Contains("cut.bin"));
+  }
+  CHECK_THAT(messageOf<InputError>([&] { readCheckpoint(directory.path / "none.bin"); }), Contains("none.bin"));
+}
