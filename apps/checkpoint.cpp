@@ -15,7 +15,7 @@ namespace ease {
 
 namespace {
 
-constexpr char kMagic[] = "ease checkpoint 1\n";
+constexpr char kMagic[] = "ease checkpoint 2\n";
 
 /// Appends to, or takes from, a string of bytes: one list of members serves both ways.
 struct Writer {
@@ -79,6 +79,8 @@ void members(Bytes& bytes, C& c) {
   bytes.array(c.rest_edges);
   bytes.array(c.wanted_edges);
   bytes.array(c.pinned);
+  bytes.array(c.numbering.vertices);
+  bytes.array(c.numbering.triangles);
 }
 
 }  // namespace

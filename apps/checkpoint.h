@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "solver/mesh/numbering.h"
 #include "solver/mesh/triangle_gradient.h"
 #include "solver/step/state.h"
 
@@ -24,6 +25,7 @@ struct Checkpoint {
   std::vector<Mat2> rest_edges;    // m
   std::vector<Mat2> wanted_edges;  // of the stitcher, m; empty: no adaption so far
   std::vector<int> pinned;         // vertices
+  Numbering numbering;             // of the garment, that all these are in
 };
 
 /// Writes the file, temporary name first.  Throws ComputationError naming it.

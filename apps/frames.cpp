@@ -47,4 +47,14 @@ Frame restFrame(const Cloth& cloth, const std::vector<double>& first_areas) {
   return {cloth.restPositions(), {}, {restAreaRatio(cloth, first_areas)}};
 }
 
+Frame restored(const Frame& frame, const Numbering& numbering) {
+  Frame original = frame;
+  original.positions = restored(frame.positions, numbering.vertices);
+  for (NamedArray& array : original.vertex_arrays)
+    array.values = restored(array.values, numbering.vertices, array.components);
+  for (NamedArray& array : original.triangle_arrays)
+    array.values = restored(array.values, numbering.triangles, array.components);
+  return original;
+}
+
 }  // namespace ease

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "adaption/stretch_measure.h"
+#include "solver/mesh/numbering.h"
 #include "solver/model/cloth.h"
 #include "solver/step/state.h"
 #include "viz/series.h"
@@ -25,5 +26,8 @@ Frame garmentFrame(const Cloth& cloth, const State& state, const GarmentFields& 
 
 /// The rest shape in space, with rest_area_ratio.
 Frame restFrame(const Cloth& cloth, const std::vector<double>& first_areas);
+
+/// The frame of a mesh as it was before it was renumbered.
+Frame restored(const Frame& frame, const Numbering& numbering);
 
 }  // namespace ease

@@ -53,7 +53,13 @@ class Job {
  public:
   Job(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
       const std::optional<Checkpoint>& from, const std::atomic<bool>& interrupted)
-      : scene_(scene), input_(input), directory_(directory), from_(from), interrupted_(interrupted) {}
+      : scene_(scene),
+        given_(input),
+        numbering_(from ? from->numbering : spatialNumbering(input.garment)),
+        input_(renumbered(input, numbering_)),
+        directory_(directory),
+        from_(from),
+        interrupted_(interrupted) {}
 
   bool operator()() {
     const Clock::time_point start = Clock::now();
@@ -128,10 +134,11 @@ class Job {
     std::optional<SeriesOfRun> series;
     RunOptions run_options = options(true, scene_.adaption ? "adapting" : "simulating");
     if (scene_.output) {
-      series.emplace(directory_, input_.garment.triangles, input_.body_triangles, resumedAt());
+      series.emplace(directory_, given_.garment.triangles, numbering_, input_.body_triangles, resumedAt());
       run_options.series = &*series;
     }
-    run_options.keep = [&](const Checkpoint& checkpoint) {
+    run_options.keep = [&](Checkpoint checkpoint) {
+      checkpoint.numbering = numbering_;
       if (series) series->finish();  // its frames are there before what goes on from them
       writeCheckpoint(directory_ / kCheckpoint, checkpoint);
     };
@@ -139,8 +146,9 @@ class Job {
     const auto finish = [&] {
       if (series) series->finish();
       measureGrowth(first_inverse_, sum(first_areas_), *cloth_, report_);
-      writeObj(directory_ / "rest_shape.obj", {cloth_->restPositions(), cloth_->triangles()});
-      writeVtp(directory_ / "rest_shape.vtp", cloth_->triangles(), restFrame(*cloth_, first_areas_));
+      const Frame rest = restored(restFrame(*cloth_, first_areas_), numbering_);
+      writeObj(directory_ / "rest_shape.obj", {rest.positions, given_.garment.triangles});
+      writeVtp(directory_ / "rest_shape.vtp", given_.garment.triangles, rest);
     };
     try {
       runMotion(scene_, input_, body(), *cloth_, run_options, state_, report_.run);
@@ -211,7 +219,9 @@ class Job {
   }
 
   const Scene& scene_;
-  const SceneInput& input_;
+  const SceneInput& given_;
+  const Numbering numbering_;
+  const SceneInput input_;  // the same in this numbering
   const std::filesystem::path directory_;
   const std::optional<Checkpoint>& from_;
   const std::atomic<bool>& interrupted_;
@@ -239,6 +249,7 @@ Checkpoint checkpointIn(const std::filesystem::path& directory, const Scene& sce
   };
   expectSame("the garment's number of vertices", from.state.positions.rows(), input.garment.positions.rows());
   expectSame("the garment's number of triangles", from.rest_edges.size(), input.garment.triangles.rows());
+  if (!isNumbering(from.numbering, input.garment)) throw InputError(fmt::format("{}: is damaged", file.string()));
   expectSame("[solver] time_step", from.time_step_s, scene.solver.time_step);
   expectSame("[solver] steps_per_pose", from.steps_per_pose, scene.solver.steps_per_pose);
   expectSame("[body] steps", from.interpolation_steps, scene.body ? scene.body->steps : 0);

@@ -140,7 +140,7 @@ class Run {
     checkpoint.rest_edges = cloth_.restEdges();
     if (stitcher_) checkpoint.wanted_edges = stitcher_->wanted();
     checkpoint.pinned = pins_.vertices();
-    options_.keep(checkpoint);
+    options_.keep(std::move(checkpoint));
     step_.forget();
     contacts_.forget();
   }
@@ -228,8 +228,9 @@ class Run {
       options_.series->body->write(moment.time_s, std::move(body_frame));
     }
     const GarmentFields fields{stretch_, *options_.first_areas, gap_, pressure_, pins_.vertices()};
-    options_.series->garment.write(moment.time_s, garmentFrame(cloth_, state_, fields));
-    options_.series->rest.write(moment.time_s, restFrame(cloth_, *options_.first_areas));
+    const Numbering& numbering = options_.series->numbering;
+    options_.series->garment.write(moment.time_s, restored(garmentFrame(cloth_, state_, fields), numbering));
+    options_.series->rest.write(moment.time_s, restored(restFrame(cloth_, *options_.first_areas), numbering));
   }
 
   const Scene& scene_;
@@ -259,9 +260,10 @@ class Run {
 }  // namespace
 
 SeriesOfRun::SeriesOfRun(const std::filesystem::path& directory, const Triangles& garment_triangles,
-                         const Triangles& body_triangles, double keep_until)
+                         const Numbering& garment_numbering, const Triangles& body_triangles, double keep_until)
     : garment(directory, "garment", garment_triangles, keep_until),
-      rest(directory, "rest", garment_triangles, keep_until) {
+      rest(directory, "rest", garment_triangles, keep_until),
+      numbering(garment_numbering) {
   if (body_triangles.rows() > 0) body.emplace(directory, "body", body_triangles, keep_until);
 }
 

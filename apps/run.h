@@ -21,10 +21,11 @@ namespace ease {
 struct SeriesOfRun {
   Series garment, rest;
   std::optional<Series> body;
-  /// `body_triangles` may be empty: no body.
+  Numbering numbering;  // of the garment in the run
+  /// `garment_triangles`: as they were before the numbering.  `body_triangles` may be empty: no body.
   /// Goes on with earlier series up to `keep_until`, s.
   SeriesOfRun(const std::filesystem::path& directory, const Triangles& garment_triangles,
-              const Triangles& body_triangles, double keep_until = -1.0);
+              const Numbering& garment_numbering, const Triangles& body_triangles, double keep_until = -1.0);
   void finish();
 };
 
@@ -34,8 +35,8 @@ struct RunOptions {
   const std::vector<double>* first_areas = nullptr;  // of the first rest shape, m^2
   std::function<void(const Moment&)> on_step;        // after every step
   const std::atomic<bool>* interrupted = nullptr;
-  std::function<void(const Checkpoint&)> keep;  // given now and then
-  const Checkpoint* from = nullptr;             // go on from there; none: from the start
+  std::function<void(Checkpoint)> keep;  // given now and then, its numbering left empty
+  const Checkpoint* from = nullptr;      // go on from there; none: from the start
 };
 
 /// The body of a scene, its poses as close as the motion wants them (timeline.h).

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "garment/authoring.h"
-#include "solver/mesh/triangle_mesh.h"
+#include "solver/mesh/numbering.h"
 #include "solver/model/material.h"
 
 namespace ease {
@@ -101,5 +101,8 @@ struct SceneInput {
 
 /// Reads meshes and checks all that a run relies on; computes nothing else.  Throws InputError.
 SceneInput readSceneInput(const Scene& scene);
+
+/// The same garment, its vertices and triangles in another order; without what authoring alone knows.
+SceneInput renumbered(const SceneInput& input, const Numbering& numbering);
 
 }  // namespace ease

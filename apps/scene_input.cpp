@@ -280,4 +280,16 @@ SceneInput readSceneInput(const Scene& scene) {
   return input;
 }
 
+SceneInput renumbered(const SceneInput& input, const Numbering& numbering) {
+  const std::vector<int> number = newNumbers(numbering.vertices);
+  SceneInput ordered = input;
+  ordered.garment = renumbered(input.garment, numbering);
+  for (std::vector<int>& pin : ordered.pins)
+    for (int& v : pin) v = number[v];
+  ordered.authored.reset();
+  ordered.offsets = renumbered(input.offsets, numbering.vertices);
+  ordered.paint = renumbered(input.paint, numbering.triangles);
+  return ordered;
+}
+
 }  // namespace ease

@@ -38,14 +38,16 @@ class Job {
 
   void operator()() {
     const Clock::time_point start = Clock::now();
-    const SceneInput input = readSceneInput(scene_);
+    const SceneInput given = readSceneInput(scene_);
+    const Numbering numbering = spatialNumbering(given.garment);
+    const SceneInput input = renumbered(given, numbering);
     Cloth cloth(input.garment, scene_.garment.grain, scene_.material);
     timing_.vertices = cloth.vertexCount();
     MovingBody body(input.body_triangles, input.poses, scene_.body->steps,
                     {scene_.collision.voxel, std::max(0.03, 3.0 * scene_.collision.offset)});
     timing_.setup_s = secondsSince(start);
     const ScratchDirectory scratch;
-    SeriesOfRun series(scratch.path, input.garment.triangles, input.body_triangles);
+    SeriesOfRun series(scratch.path, given.garment.triangles, numbering, input.body_triangles);
     const std::vector<double> first_areas = cloth.restAreas();
 
     RunOptions options;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "solver/linear/parallel.h"
@@ -13,7 +12,6 @@ namespace ease {
 namespace {
 
 constexpr int kGrain = 2048;
-constexpr double kOrderCell = 0.01;       // m
 constexpr double kReach = 1e-3;           // m beyond the offset: planes that a correction of the step may yet meet
 constexpr double kGive = 0.4;             // of the room there is: how far the cloth may easily sink in
 constexpr double kLeastGive = 2e-4;       // m
@@ -60,74 +58,64 @@ void sampleOffsets(std::span<const double> vertex_offsets, const Triangles& tria
     offsets.push_back((vertex_offsets[t[0]] + vertex_offsets[t[1]] + vertex_offsets[t[2]]) / 3.0);
 }
 
-// Samples that are near each other in space one after the other, by the Z-order curve (Morton 1966): a level set is
-// then read in order.
-void ContactFinder::orderSamples(std::span<const Vec3> samples) {
-  std::vector<std::pair<std::uint64_t, int>> keys(samples.size());
-  for (size_t s = 0; s < samples.size(); ++s) {
-    std::uint64_t key = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto cell = static_cast<std::uint64_t>(std::clamp(samples[s][axis] / kOrderCell + 512.0, 0.0, 1023.0));
-      for (int bit = 0; bit < 10; ++bit) key |= (cell >> bit & 1) << (3 * bit + axis);
-    }
-    keys[s] = {key, static_cast<int>(s)};
-  }
-  std::sort(keys.begin(), keys.end());
-  order_.resize(samples.size());
-  for (size_t k = 0; k < keys.size(); ++k) order_[k] = keys[k].second;
-  found_.assign(samples.size(), {0.0, Vec3::Zero(), -1});
-}
-
 void ContactFinder::lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near) {
-  if (found_.size() != samples.size()) orderSamples(samples);
-  // Where the surface near a sample came from: by the motion of the triangle that was nearest to it the last time.
   const int count = static_cast<int>(samples.size());
+  if (found_.size() != samples.size()) found_.assign(count, {0.0, Vec3::Zero(), -1});
+  // Where the surface near a sample came from: by the motion of the triangle that was nearest to it the last time.
   points_.resize(count);
   carried_.resize(count);
   carried_from_.resize(count);
-  parallelFor(count, kGrain, [&](int k) {
-    points_[k] = carried_[k] = samples[order_[k]];
-    carried_from_[k] = found_[k].triangle;
-    if (body.tau > 0.0 && found_[k].triangle >= 0) carried_[k] -= body.tau * motionOf(body, found_[k].triangle);
+  parallelFor(count, kGrain, [&](int s) {
+    points_[s] = carried_[s] = samples[s];
+    carried_from_[s] = found_[s].triangle;
+    if (body.tau > 0.0 && found_[s].triangle >= 0) carried_[s] -= body.tau * motionOf(body, found_[s].triangle);
   });
   body.level_set->sample(carried_, found_);
   if (body.tau == 0.0) return;
 
   // Again where that is not how the surface near it moves.
-  chosen_.clear();
-  chosen_points_.clear();
-  for (int s = 0; s < static_cast<int>(samples.size()); ++s) {
+  lookAhead(body, [&](int s, Vec3& point) {
     const int triangle = found_[s].triangle;
-    if (triangle < 0 || triangle == carried_from_[s]) continue;
-    const Vec3 point = points_[s] - body.tau * motionOf(body, triangle);
+    if (triangle < 0 || triangle == carried_from_[s]) return false;
+    point = points_[s] - body.tau * motionOf(body, triangle);
     const double off = (point - carried_[s]).norm();
-    if (off < kStill || found_[s].phi > near + off) continue;
-    chosen_.push_back(s);
-    chosen_points_.push_back(point);
-  }
+    return off >= kStill && found_[s].phi <= near + off;
+  });
+  for (size_t c = 0; c < chosen_.size(); ++c) found_[chosen_[c]] = ahead_[c];
+}
+
+template <class Choose>
+void ContactFinder::lookAhead(const BodyMoment& body, const Choose& choose) {
+  const int count = static_cast<int>(points_.size());
+  is_chosen_.resize(count);
+  ahead_points_.resize(count);
+  parallelFor(count, kGrain, [&](int s) { is_chosen_[s] = choose(s, ahead_points_[s]); });
+  chosen_.clear();
+  for (int s = 0; s < count; ++s)
+    if (is_chosen_[s]) {
+      ahead_points_[chosen_.size()] = ahead_points_[s];
+      chosen_.push_back(s);
+    }
   ahead_.resize(chosen_.size());
-  body.level_set->sample(chosen_points_, ahead_);
-  for (size_t k = 0; k < chosen_.size(); ++k) found_[chosen_[k]] = ahead_[k];
+  body.level_set->sample(std::span(ahead_points_).first(chosen_.size()), ahead_);
 }
 
 void ContactFinder::distances(const BodyMoment& body, std::span<const Vec3> samples, std::vector<double>& distances) {
   lookUp(body, samples, std::numeric_limits<double>::infinity());
   distances.resize(samples.size());
-  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int k) {
-    const LevelSetSample& found = found_[k];
-    double& distance = distances[order_[k]];
-    distance = found.phi;
+  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
+    const LevelSetSample& found = found_[s];
+    distances[s] = found.phi;
     if (found.phi > kExactBelow) return;
     const Vec3 motion = found.triangle < 0 ? Vec3(Vec3::Zero()) : motionOf(body, found.triangle);
-    distance = body.tree->signedDistance(points_[k] - body.tau * motion, kFarthest);
+    distances[s] = body.tree->signedDistance(points_[s] - body.tau * motion, kFarthest);
   });
 }
 
 void ContactFinder::distancesSinceFind(std::span<const Vec3> samples, std::vector<double>& distances) const {
   distances.resize(samples.size());
-  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int k) {
-    distances[order_[k]] = found_[k].phi + found_[k].normal.dot(samples[order_[k]] - points_[k]);
-  });
+  parallelFor(static_cast<int>(samples.size()), kGrain,
+              [&](int s) { distances[s] = found_[s].phi + found_[s].normal.dot(samples[s] - points_[s]); });
 }
 
 void Penetration::deepen(const std::vector<double>& sample_distances, int vertex_count, int edge_count) {
@@ -141,15 +129,14 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
                          double most_recovery, Contacts& contacts) {
   lookUp(body, samples, *std::max_element(offsets.begin(), offsets.end()) + kReach);
   contacts.planes.resize(samples.size());
-  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int k) {
-    const LevelSetSample& here = found_[k];
-    const double offset = offsets[order_[k]];
-    ContactPlane& plane = contacts.planes[order_[k]];
+  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
+    const LevelSetSample& here = found_[s];
+    ContactPlane& plane = contacts.planes[s];
     plane = {};
-    if (here.triangle < 0 || here.phi > offset + kReach) return;
+    if (here.triangle < 0 || here.phi > offsets[s] + kReach) return;
     plane.normal = here.normal;
-    plane.offset = here.normal.dot(points_[k]) + offset - here.phi;
-    plane.give = std::max(kLeastGive, kGive * offset);
+    plane.offset = here.normal.dot(points_[s]) + offsets[s] - here.phi;
+    plane.give = std::max(kLeastGive, kGive * offsets[s]);
   });
   makeRoom(body, offsets, contacts);
   // No plane asks for more in one step than this: cloth that got too deep is moved out, not shot out.
@@ -167,22 +154,17 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
 
 void ContactFinder::makeRoom(const BodyMoment& body, std::span<const double> offsets, Contacts& contacts) {
   // Samples that must move out by d = offset - phi: would they get there, or meet another part of the body?
-  chosen_.clear();
-  chosen_points_.clear();
-  for (int k = 0; k < static_cast<int>(found_.size()); ++k) {
-    const LevelSetSample& here = found_[k];
-    const double offset = offsets[order_[k]];
-    if (here.triangle < 0 || here.phi > offset - kRidgeTolerance) continue;
-    chosen_.push_back(k);
-    chosen_points_.push_back(points_[k] - body.tau * motionOf(body, here.triangle) + (offset - here.phi) * here.normal);
-  }
-  ahead_.resize(chosen_.size());
-  body.level_set->sample(chosen_points_, ahead_);
+  lookAhead(body, [&](int s, Vec3& point) {
+    const LevelSetSample& here = found_[s];
+    if (here.triangle < 0 || here.phi > offsets[s] - kRidgeTolerance) return false;
+    point = points_[s] - body.tau * motionOf(body, here.triangle) + (offsets[s] - here.phi) * here.normal;
+    return true;
+  });
   contacts.seconds.clear();
   for (size_t c = 0; c < chosen_.size(); ++c) {
-    const int k = chosen_[c];
-    const LevelSetSample &here = found_[k], &there = ahead_[c];
-    const double offset = offsets[order_[k]], d = offset - here.phi;
+    const int s = chosen_[c];
+    const LevelSetSample &here = found_[s], &there = ahead_[c];
+    const double offset = offsets[s], d = offset - here.phi;
     if (there.triangle < 0 || there.phi > offset - kRidgeTolerance - 0.1 * d) continue;
     // How far the sample is from the other part now, which moves in its own way.
     const double along = here.normal.dot(there.normal);
@@ -193,11 +175,11 @@ void ContactFinder::makeRoom(const BodyMoment& body, std::span<const double> off
     const double opening = std::sqrt(std::max(0.0, 0.5 * (1.0 + along)));
     const double room = std::clamp(0.5 * (here.phi + other) + offset * opening, 0.0, offset);
     const double give = std::max(kLeastGive, kGive * room);
-    const Vec3& x = points_[k];
-    ContactPlane& first = contacts.planes[order_[k]];
+    const Vec3& x = points_[s];
+    ContactPlane& first = contacts.planes[s];
     first.offset = first.normal.dot(x) + room - here.phi;
     first.give = give;
-    contacts.seconds.push_back({order_[k], {there.normal, there.normal.dot(x) + room - other, give}});
+    contacts.seconds.push_back({s, {there.normal, there.normal.dot(x) + room - other, give}});
     ++rescues_.held;
   }
 }

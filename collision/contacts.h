@@ -71,17 +71,17 @@ class ContactFinder {
  private:
   /// Fills found_; samples further than `near` (m) from the body need not be right.
   void lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near);
-  void orderSamples(std::span<const Vec3> samples);
+  /// Looks up once more the samples that choose(s, point) wants to, at `point`: chosen_ and ahead_.
+  template <class Choose>
+  void lookAhead(const BodyMoment& body, const Choose& choose);
   void makeRoom(const BodyMoment& body, std::span<const double> offsets, Contacts& contacts);
 
-  // Indexed by place in the order, not by sample.
-  std::vector<int> order_;  // sample that comes k-th
   std::vector<LevelSetSample> found_, ahead_;
-  std::vector<Vec3> points_, carried_;
+  std::vector<Vec3> points_, carried_, ahead_points_;
   std::vector<int> carried_from_;  // triangle whose motion carried the sample
+  std::vector<char> is_chosen_;
+  std::vector<int> chosen_;  // samples looked up a second time
   ContactRescues rescues_;
-  std::vector<int> chosen_;  // looked up a second time
-  std::vector<Vec3> chosen_points_;
 };
 
 }  // namespace ease

@@ -22,6 +22,7 @@ Checkpoint someCheckpoint() {
   c.rest_positions = randomPositions(7, 3);
   c.rest_edges.assign(5, (Mat2() << 1.0 / 3.0, 0.1, 0.0, 2.0).finished());
   c.pinned = {3, 1};
+  c.numbering = {{6, 5, 4, 3, 2, 1, 0}, {1, 0, 2, 4, 3}};
   return c;
 }
 
@@ -43,6 +44,8 @@ TEST_CASE("a checkpoint is read as it was written, to the last bit") {
   CHECK(read.rest_edges == written.rest_edges);
   CHECK(read.wanted_edges.empty());
   CHECK(read.pinned == written.pinned);
+  CHECK(read.numbering.vertices == written.numbering.vertices);
+  CHECK(read.numbering.triangles == written.numbering.triangles);
 }
 
 TEST_CASE("a checkpoint that is cut short anywhere, or is another file, is refused by its name") {

@@ -1,0 +1,80 @@
+#include "solver/mesh/numbering.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+namespace ease {
+
+namespace {
+
+constexpr int kBits = 20;  // of a coordinate
+
+// The bits of x, y and z in turn, for x within the box.
+std::uint64_t placeOnCurve(const Eigen::AlignedBox3d& box, const Vec3& x) {
+  const double cells = static_cast<double>(1 << kBits) / std::max(1e-300, box.sizes().maxCoeff());
+  std::uint64_t place = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto cell = static_cast<std::uint64_t>((x[axis] - box.min()[axis]) * cells);
+    for (int bit = 0; bit <= kBits; ++bit) place |= (cell >> bit & 1) << (3 * bit + axis);
+  }
+  return place;
+}
+
+// Indices 0, 1, ... by their keys; of equal keys the lower index first.
+template <class Key>
+std::vector<int> sorted(const std::vector<Key>& keys) {
+  std::vector<int> order(keys.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int i) { return keys[i]; });
+  return order;
+}
+
+}  // namespace
+
+std::vector<int> newNumbers(const std::vector<int>& order) {
+  std::vector<int> numbers(order.size());
+  for (size_t k = 0; k < order.size(); ++k) numbers[order[k]] = static_cast<int>(k);
+  return numbers;
+}
+
+Numbering spatialNumbering(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& x : mesh.positions.rowwise()) box.extend(x.transpose());
+  std::vector<std::uint64_t> places;
+  for (const auto& x : mesh.positions.rowwise()) places.push_back(placeOnCurve(box, x));
+  Numbering numbering;
+  numbering.vertices = sorted(places);
+  const std::vector<int> number = newNumbers(numbering.vertices);
+  std::vector<int> first;
+  for (const auto& t : mesh.triangles.rowwise()) first.push_back(std::min({number[t[0]], number[t[1]], number[t[2]]}));
+  numbering.triangles = sorted(first);
+  return numbering;
+}
+
+bool isNumbering(const Numbering& numbering, const TriangleMesh& mesh) {
+  const auto namesAll = [](std::vector<int> order, long count) {
+    std::ranges::sort(order);
+    for (size_t k = 0; k < order.size(); ++k)
+      if (order[k] != static_cast<int>(k)) return false;
+    return std::ssize(order) == count;
+  };
+  return namesAll(numbering.vertices, mesh.positions.rows()) && namesAll(numbering.triangles, mesh.triangles.rows());
+}
+
+TriangleMesh renumbered(const TriangleMesh& mesh, const Numbering& numbering) {
+  const std::vector<int> number = newNumbers(numbering.vertices);
+  TriangleMesh ordered = mesh;
+  for (int k = 0; k < mesh.positions.rows(); ++k) ordered.positions.row(k) = mesh.positions.row(numbering.vertices[k]);
+  for (int k = 0; k < mesh.triangles.rows(); ++k)
+    for (int a = 0; a < 3; ++a) ordered.triangles(k, a) = number[mesh.triangles(numbering.triangles[k], a)];
+  return ordered;
+}
+
+Positions restored(const Positions& positions, const std::vector<int>& order) {
+  Positions original(positions.rows(), 3);
+  for (int k = 0; k < positions.rows(); ++k) original.row(order[k]) = positions.row(k);
+  return original;
+}
+
+}  // namespace ease
