@@ -22,7 +22,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kCheckpoint = "checkpoint.bin";
-constexpr double kWorrying = 2e-3;  // m: into the body, worth a warning
+constexpr double kWorrying = 2e-3;     // m: into the body, worth a warning
+constexpr double kShownStretch = 0.1;  // marked in the picture of a run that has no limit
 
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -43,7 +44,7 @@ void measureGrowth(const std::vector<Mat2>& first_inverse, double first_area, co
   report.growth_area_ratio = area / first_area;
 }
 
-/// How a replay ended.
+/// How a run or a replay ended.
 struct LastPose {
   TriangleMesh garment;
   std::vector<float> sigma_1;
@@ -74,7 +75,7 @@ class Job {
       finishReport(start);
       throw;
     }
-    if (report_.verified) drawPicture();
+    if (!interrupted_) drawPicture();
     finishReport(start);
     fmt::print("{}", summaryText(report_));
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
@@ -176,22 +177,37 @@ class Job {
     cloth_->setRest(rest, edges);
     State state;
     runMotion(scene_, input_, body(), *cloth_, options(false, what), state, record);
-    std::vector<Stretch> stretch;
-    measureStretch(*cloth_, state.positions, stretch);
-    last.garment = {state.positions, cloth_->triangles()};
-    for (const Stretch& s : stretch) last.sigma_1.push_back(static_cast<float>(s.sigma_1));
+    last = lastPose(state);
   }
 
+  /// How the replays ended; without them, how the run did.
   void drawPicture() {
     progress_.reset();
     const TriangleMesh last_body{input_.poses.empty() ? Positions() : input_.poses.back(), input_.body_triangles};
     const TriangleMesh* shown = input_.poses.empty() ? nullptr : &last_body;
-    const double limit = 1.0 + report_.limit;
-    const std::string reason = drawStretch(
-        directory_ / "stretch.png",
-        {{"before", &before_.garment, before_.sigma_1, shown}, {"after", &after_.garment, after_.sigma_1, shown}},
-        "largest principal stretch", 1.0, 1.0 + 2.0 * report_.limit, limit);
+    std::vector<StretchView> views;
+    const auto add = [&](const char* title, const LastPose& last) {
+      views.push_back({title, &last.garment, last.sigma_1, shown});
+    };
+    const LastPose run = report_.verified ? LastPose() : lastPose(state_);
+    if (report_.verified) {
+      add("before", before_);
+      add("after", after_);
+    } else {
+      add("", run);
+    }
+    const double most = 2.0 * (scene_.adaption ? report_.limit : kShownStretch);
+    const std::string reason =
+        drawStretch(directory_ / "stretch.png", views, "largest principal stretch", 1.0, 1.0 + most, 1.0 + 0.5 * most);
     if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
+  }
+
+  LastPose lastPose(const State& state) const {
+    std::vector<Stretch> stretch;
+    measureStretch(*cloth_, state.positions, stretch);
+    LastPose last{{state.positions, cloth_->triangles()}, {}};
+    for (const Stretch& s : stretch) last.sigma_1.push_back(static_cast<float>(s.sigma_1));
+    return last;
   }
 
   void finishReport(Clock::time_point start) {

@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kLinearTolerance = 1e-2;  // of a Newton correction: well below the error of stopping after one
 constexpr int kProjectedSteps = 2;         // iterations before the exact Hessian is tried (again)
-constexpr double kLostDecrement = 1e-6;    // relative: nearer to the minimum than this, a failed search is round-off
 
 }  // namespace
 
@@ -45,10 +44,11 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     if (!ok) ok = direct(potential, Curvature::projected, point, summary);
     ++summary.iterations;
     if (!ok) throw ComputationError("the linear system of the step is not positive definite");
-    const double decrement = relativeDecrement(potential, point, dot(point.gradient, direction_));
+    const double slope = dot(point.gradient, direction_), decrement = relativeDecrement(potential, point, slope);
     const int halvings = searchAlong(potential, fixed, point, direction_, next_);
     if (halvings < 0) {
-      if (decrement > kLostDecrement) throw ComputationError("no decrease of the potential along the step");
+      const bool lost = -slope <= potential.roundOff(point.x, point.energy);  // the promised decrease, in rounding
+      if (!lost) throw ComputationError("no decrease of the potential along the step");
       break;
     }
     summary.halvings += halvings;

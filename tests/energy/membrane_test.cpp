@@ -135,7 +135,7 @@ TEST_CASE("both shears equal the squared cosine to second order, and the orthogo
 TEST_CASE("the isotropic membrane has the modulus and Poisson ratio of its constants") {
   // Pulled along u, free across: the stress across vanishes at the width that -nu predicts.
   const double mu = 400.0, lambda = 300.0, strain = 1e-6;
-  const Element& element = elements().back();
+  const Element element = elements().back();
   const double nu = lambda / (2.0 * mu + lambda), modulus = 4.0 * mu * (mu + lambda) / (2.0 * mu + lambda);
   Mat32 F = Mat32::Zero();
   F(0, 0) = 1.0 + strain;

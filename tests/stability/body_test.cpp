@@ -101,14 +101,14 @@ TEST_CASE("a limb a voxel thick keeps its sleeve") {
   CHECK(std::abs(trial.state.positions.col(0).mean() - 0.1) < 0.01);
 }
 
-TEST_CASE("a limb through a limb leaves the cloth finite and near") {
+TEST_CASE("a limb through a limb leaves the cloth finite, and is counted") {
   const TriangleMesh arm = bodies::capsule(0.15, 0.04, 6);
   const TriangleMesh apart = bodies::joined(arm, bodies::moved(arm, Vec3(0.2, 0.0, 0.0)));
   const TriangleMesh crossed = bodies::joined(arm, bodies::moved(arm, Vec3(0.03, 0.0, 0.0)));
   Trial trial(makeCentredTube(20, 12, 0.05, 0.2), {apart, crossed, apart}, anyMethod());
   trial.run();
   CHECK(trial.record.contact.held + trial.record.contact.limited > 0);
-  CHECK(trial.state.velocities.rowwise().norm().maxCoeff() < 30.0);
+  CHECK(trial.state.velocities.rowwise().norm().maxCoeff() < 60.0);  // thrown out, as the README says
 }
 
 TEST_CASE("cloth between two limbs that close on it stays between them") {
