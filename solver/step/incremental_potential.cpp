@@ -251,6 +251,11 @@ double IncrementalPotential::kinetic(const Positions& x, const Positions& from, 
   return sum / (options_.h * options_.h);
 }
 
+double IncrementalPotential::kinetic(const Positions& d) const {
+  return parallelSum(cloth_.vertexCount(), [&](int i) { return cloth_.masses()[i] * d.row(i).squaredNorm(); }) /
+         (options_.h * options_.h);
+}
+
 double IncrementalPotential::motion(const Positions& x) const {
   return kinetic(x, start_, Vec3::Zero());
 }

@@ -66,6 +66,8 @@ class IncrementalPotential {
   double motion(const Positions& x) const;
   /// The same of moving from x_n + h v_n to x: of what forces add to the cloth's motion.
   double correction(const Positions& x) const;
+  /// The same of a displacement.
+  double kinetic(const Positions& d) const;
   double totalMass() const;  // kg
 
   /// A difference of the potential between points near x, where it is `energy`, that means nothing, J.

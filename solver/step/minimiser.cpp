@@ -14,6 +14,12 @@ constexpr double kSufficient = 1e-4;  // of the decrease that the slope promises
 constexpr double kForces = 4.0;       // times what forces add to the motion of a step: as good a measure as the motion
 constexpr double kLeastSpeed = 1e-3;  // m/s: a change of speed within a step that is not worth more digits
 
+// Twice the kinetic energy that errors are compared with, J.
+double stepKinetic(const IncrementalPotential& potential, const Positions& x) {
+  const double least = potential.totalMass() * kLeastSpeed * kLeastSpeed;
+  return std::min(potential.motion(x), kForces * kForces * potential.correction(x)) + least;
+}
+
 }  // namespace
 
 void Point::evaluate(IncrementalPotential& potential, const std::vector<char>& fixed) {
@@ -31,9 +37,11 @@ double residualAcceleration(const IncrementalPotential& potential, const Point& 
 }
 
 double relativeDecrement(const IncrementalPotential& potential, const Point& point, double slope) {
-  const double least = potential.totalMass() * kLeastSpeed * kLeastSpeed;
-  const double step = std::min(potential.motion(point.x), kForces * kForces * potential.correction(point.x));
-  return std::sqrt(std::max(0.0, -slope) / (step + least));
+  return std::sqrt(std::max(0.0, -slope) / stepKinetic(potential, point.x));
+}
+
+double relativeLength(const IncrementalPotential& potential, const Point& point, const Positions& direction) {
+  return std::sqrt(potential.kinetic(direction) / stepKinetic(potential, point.x));
 }
 
 int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,

@@ -1,10 +1,11 @@
 // What the minimisers of the incremental potential share: when to stop, how far to go, what they report.
 //
-// The error of a step is measured by its decrement, sqrt(-g . d) with d the correction that a minimiser is about to
-// make: for Newton's method the distance to the minimum in the energy's own norm.  It is compared with how far the step
-// moves the cloth in the norm of its masses, |x - x_n|_M / h, which that norm bounds from above, or with four times
-// what forces add to that motion, |x - x_n - h v_n|_M / h, where that is less: compared with the motion alone, cloth
-// that falls fast enough would be done before it starts.
+// The error of a step is what is left of the way to the minimum, |x - x_min|_M / h in the norm of the masses, over how
+// far the step moves the cloth, |x - x_n|_M / h, or over four times what forces add to that motion,
+// |x - x_n - h v_n|_M / h, where that is less: compared with the motion alone, cloth that falls fast enough would be
+// done before it starts.  Newton's correction d is that way itself.  Other corrections are shorter than the way, along
+// soft directions most of all; they are measured by their decrement sqrt(-g . d), which for Newton's d is the way in
+// the energy's own norm and no less than in that of the masses.
 #pragma once
 
 #include <vector>
@@ -40,6 +41,9 @@ double residualAcceleration(const IncrementalPotential& potential, const Point& 
 
 /// sqrt(-slope) over how far the step moves the cloth, as above; slope = gradient . direction, J.
 double relativeDecrement(const IncrementalPotential& potential, const Point& point, double slope);
+
+/// |direction|_M over how far the step moves the cloth, as above.
+double relativeLength(const IncrementalPotential& potential, const Point& point, const Positions& direction);
 
 /// Goes from `point` along `direction` (all of it, or half, or a quarter ...) until the potential is less, and writes
 /// where it arrives to `next`.  Close to the minimum, where the potential's decrease is lost in rounding, the slope

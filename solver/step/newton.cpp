@@ -1,5 +1,7 @@
 #include "solver/step/newton.h"
 
+#include <algorithm>
+
 #include "solver/linear/dot.h"
 #include "solver/mesh/error.h"
 
@@ -8,6 +10,7 @@ namespace ease {
 namespace {
 
 constexpr double kLinearTolerance = 1e-2;  // of a Newton correction: well below the error of stopping after one
+constexpr double kMostGain = 0.5;          // of a correction over the one before, that is believed to go on
 constexpr int kProjectedSteps = 2;         // iterations before the exact Hessian is tried (again)
 
 }  // namespace
@@ -31,6 +34,7 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
   if (fixed != fixed_) system_.forgetFactor();
   fixed_ = fixed;
   int exact_from = kProjectedSteps;
+  double previous = 0.0;  // relative length of the last correction
   while (summary.iterations < stop.most_iterations) {
     if (stop.acceleration > 0.0 && residualAcceleration(potential, point) <= stop.acceleration) {
       summary.converged = true;
@@ -44,7 +48,7 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     if (!ok) ok = direct(potential, Curvature::projected, point, summary);
     ++summary.iterations;
     if (!ok) throw ComputationError("the linear system of the step is not positive definite");
-    const double slope = dot(point.gradient, direction_), decrement = relativeDecrement(potential, point, slope);
+    const double slope = dot(point.gradient, direction_), length = relativeLength(potential, point, direction_);
     const int halvings = searchAlong(potential, fixed, point, direction_, next_);
     if (halvings < 0) {
       const bool lost = -slope <= potential.roundOff(point.x, point.energy);  // the promised decrease, in rounding
@@ -53,7 +57,11 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     }
     summary.halvings += halvings;
     std::swap(point, next_);
-    if (stop.error > 0.0 && decrement <= stop.error) {
+    // What the next correction is likely to be.
+    double next = length;
+    if (halvings == 0 && previous > 0.0) next *= std::clamp(length / previous, kMostGain, 1.0);
+    previous = length;
+    if (stop.error > 0.0 && next <= stop.error) {
       summary.converged = true;
       break;
     }
