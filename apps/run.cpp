@@ -1,7 +1,6 @@
 #include "apps/run.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include "apps/frames.h"
 #include "apps/garment_pins.h"
 #include "apps/stopwatch.h"
+#include "solver/linear/parallel.h"
 #include "solver/mesh/error.h"
 
 namespace ease {
@@ -23,12 +23,6 @@ namespace {
 constexpr double kRecoverySpeed = 4.0;    // m/s: at most, of cloth that got too near to the body, beside the body's own
 constexpr double kBeyondComfort = 0.025;  // m: level sets are exact this far beyond the largest comfort offset
 constexpr double kLeastWay = 1e-3;        // m: of cloth that the body meets, however small the offset
-
-/// A task beside the step, waited for however the step ends.
-struct Ahead {
-  tbb::task_group group;
-  ~Ahead() { group.wait(); }
-};
 
 MethodOptions methodOptions(const SolverScene& solver) {
   return {methodNamed(solver.method), solver.tolerance, solver.residual, solver.iterations};
@@ -146,14 +140,19 @@ class Run {
   }
 
   void advance(const Moment& moment) {
-    Ahead ahead;
+    TaskBeside ahead;
     if (moment.next_level_set >= 0) {
       // Where the samples will be, by the body's clock, while that level set is in use.
       const double until = scene_.solver.time_step * (1.0 + 0.5 * scene_.solver.steps_per_pose);
       sampleCloth(state_.positions + until * state_.velocities, cloth_.triangles(), cloth_.topology().edges,
                   expected_samples_);
-      ahead.group.run([&] { body_->prepare(moment.next_level_set, expected_samples_); });
+      ahead.run([&] { body_->prepare(moment.next_level_set, expected_samples_); });
     }
+    takeStep(moment);
+    ahead.wait();
+  }
+
+  void takeStep(const Moment& moment) {
     const Stopwatch watch(record_.step_s);
     const StepOptions options{scene_.solver.time_step, scene_.solver.gravity, contact_stiffness_};
     const StepSummary step = step_.step(state_, options, pinsAt(moment), [&](const Positions& x, Contacts& contacts) {
