@@ -44,10 +44,15 @@ void measureGrowth(const std::vector<Mat2>& first_inverse, double first_area, co
   report.growth_area_ratio = area / first_area;
 }
 
-/// How a run or a replay ended.
-struct LastPose {
+/// A garment in a picture.
+struct Shown {
   TriangleMesh garment;
   std::vector<float> sigma_1;
+};
+
+/// On the first pose as it starts, and on the last.
+struct FirstAndLast {
+  Shown first, last;
 };
 
 class Job {
@@ -75,7 +80,7 @@ class Job {
       finishReport(start);
       throw;
     }
-    if (!interrupted_) drawPicture();
+    if (!interrupted_) drawPictures();
     finishReport(start);
     fmt::print("{}", summaryText(report_));
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
@@ -87,8 +92,8 @@ class Job {
   /// Those of an earlier run that this one may not write again.
   void removeOldResults() const {
     if (!from_) std::filesystem::remove(directory_ / kCheckpoint);
-    for (const char* name :
-         {"report.json", "stretch.png", "garment.pvd", "body.pvd", "rest.pvd", "rest_shape.obj", "rest_shape.vtp"}) {
+    for (const char* name : {"report.json", "stretch.png", "stretch_first_pose.png", "garment.pvd", "body.pvd",
+                             "rest.pvd", "rest_shape.obj", "rest_shape.vtp"}) {
       if (std::filesystem::is_directory(directory_ / name))
         throw InputError(
             fmt::format("{}: is a directory: a result of that name is to be written", (directory_ / name).string()));
@@ -172,42 +177,47 @@ class Job {
   }
 
   void replay(const Positions& rest, const std::vector<Mat2>& edges, const char* what, PassRecord& record,
-              LastPose& last) {
+              FirstAndLast& shown) {
     if (interrupted_) return;
     cloth_->setRest(rest, edges);
     State state;
     runMotion(scene_, input_, body(), *cloth_, options(false, what), state, record);
-    last = lastPose(state);
+    shown = {shownAt(input_.garment.positions), shownAt(state.positions)};
   }
 
-  /// How the replays ended; without them, how the run did.
-  void drawPicture() {
-    progress_.reset();
-    const TriangleMesh last_body{input_.poses.empty() ? Positions() : input_.poses.back(), input_.body_triangles};
-    const TriangleMesh* shown = input_.poses.empty() ? nullptr : &last_body;
-    std::vector<StretchView> views;
-    const auto add = [&](const char* title, const LastPose& last) {
-      views.push_back({title, &last.garment, last.sigma_1, shown});
-    };
-    const LastPose run = report_.verified ? LastPose() : lastPose(state_);
-    if (report_.verified) {
-      add("before", before_);
-      add("after", after_);
-    } else {
-      add("", run);
-    }
-    const double most = 2.0 * (scene_.adaption ? report_.limit : kShownStretch);
-    const std::string reason =
-        drawStretch(directory_ / "stretch.png", views, "largest principal stretch", 1.0, 1.0 + most, 1.0 + 0.5 * most);
-    if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
-  }
-
-  LastPose lastPose(const State& state) const {
+  Shown shownAt(const Positions& x) const {
     std::vector<Stretch> stretch;
-    measureStretch(*cloth_, state.positions, stretch);
-    LastPose last{{state.positions, cloth_->triangles()}, {}};
-    for (const Stretch& s : stretch) last.sigma_1.push_back(static_cast<float>(s.sigma_1));
-    return last;
+    measureStretch(*cloth_, x, stretch);
+    Shown shown{{x, cloth_->triangles()}, {}};
+    for (const Stretch& s : stretch) shown.sigma_1.push_back(static_cast<float>(s.sigma_1));
+    return shown;
+  }
+
+  /// How the replays began and ended; without them, how the run ended.
+  void drawPictures() {
+    progress_.reset();
+    const auto draw = [&](const char* name, const Positions& at,
+                          std::initializer_list<std::pair<const char*, const Shown*>> all) {
+      const TriangleMesh body{at, input_.body_triangles};
+      std::vector<StretchView> views;
+      for (const auto& [title, shown] : all)
+        views.push_back({title, &shown->garment, shown->sigma_1, body_ ? &body : nullptr});
+      const double limit = scene_.adaption ? report_.limit : kShownStretch;
+      const std::string reason =
+          drawStretch(directory_ / name, views, "largest principal stretch", 1.0, 1.0 + 2.0 * limit, 1.0 + limit);
+      if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
+    };
+    const std::vector<Moment> moments = timeline(scene_, !report_.verified);
+    Positions last;
+    if (body_) body_->positions(moments.empty() ? 0.0 : moments.back().body, last);
+    if (report_.verified) {
+      draw("stretch.png", last, {{"before", &before_.last}, {"after", &after_.last}});
+      draw("stretch_first_pose.png", body_ ? input_.poses.front() : last,
+           {{"before", &before_.first}, {"after", &after_.first}});
+    } else {
+      const Shown ended = shownAt(state_.positions);
+      draw("stretch.png", last, {{"", &ended}});
+    }
   }
 
   void finishReport(Clock::time_point start) {
@@ -248,7 +258,7 @@ class Job {
   std::vector<Mat2> first_edges_, first_inverse_;
   std::vector<double> first_areas_;
   State state_;
-  LastPose before_, after_;
+  FirstAndLast before_, after_;
   Report report_;
   std::optional<Progress> progress_;
 };
