@@ -146,7 +146,7 @@ def draw_fps(directory, cases):
         rows.append(row)
     stem = directory / "fps"
     draw(stem, "Time steps per second against vertices: the main job", "vertices of the garment",
-         "time steps of 0.0025 s per second", rows, y_range="0.08:400", x_range="600:150000", marked="failed")
+         "time steps of 0.0025 s per second", rows, y_range="0.01:400", x_range="600:150000", marked="failed")
     return [(stem, "The main job: moving body, contact, adaption every 8th step. Setting up is not counted.")]
 
 

@@ -58,16 +58,24 @@ def plot_panel(index, panel, lines):
 
 
 def legend(names, marked, size):
-    """Labels in the strip under the panels."""
+    """Labels in the strip under the panels, in two rows where one is too short."""
     entries = [(name, *style_of(name)) for name in names]
     if marked:
         entries.append((marked, "#444444", 2))
     widths = [(7.2 * len(name) + 34) / size[0] for name, _, _ in entries]
-    text, at = "", 0.5 - 0.5 * sum(widths)
-    for (name, colour, point), width in zip(entries, widths):
-        text += (f"set label \"{name}\" at screen {at + 10 / size[0]:.4f}, screen {18 / size[1]:.4f} left noenhanced "
-                 f"point pt {point} ps 0.8 lw 1.5 lc rgb '{colour}' offset 0.9,0 front\n")
-        at += width
+    if sum(widths) <= 1.0:
+        rows = [(18, range(len(entries)))]
+    else:
+        half = next(k for k in range(len(entries)) if sum(widths[:k + 1]) > 0.5 * sum(widths))
+        rows = [(26, range(half)), (9, range(half, len(entries)))]
+    text = ""
+    for height, row in rows:
+        at = 0.5 - 0.5 * sum(widths[k] for k in row)
+        for k in row:
+            name, colour, point = entries[k]
+            text += (f"set label \"{name}\" at screen {at + 10 / size[0]:.4f}, screen {height / size[1]:.4f} left "
+                     f"noenhanced point pt {point} ps 0.8 lw 1.5 lc rgb '{colour}' offset 0.9,0 front\n")
+            at += widths[k]
     return text
 
 
