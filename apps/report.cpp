@@ -108,6 +108,7 @@ Json toJson(const Report& report, const Scene& scene) {
   solver["contact_stiffness_N_m3"] = run.contact_stiffness;
   json["solver"] = solver;
   json["rescues"] = {{"step_halvings", run.halvings},
+                     {"time_steps_short_of_tolerance", run.short_of_tolerance},
                      {"voxels_on_demand", run.voxels_on_demand},
                      {"triangles_fully_grown", run.fully_grown},
                      {"contacts_held_between_parts", run.contact.held},

@@ -32,7 +32,7 @@ struct PassRecord {
   double contact_stiffness = 0.0;  // N/m^3: the scene's, or more where the body is fast
   long projective_iterations = 0, handed_over = 0, contact_rounds = 0;
   long newton_iterations = 0, cg_iterations = 0, factorisations = 0;
-  long halvings = 0, voxels_on_demand = 0, settle_steps = 0, adaptions = 0;
+  long halvings = 0, short_of_tolerance = 0, voxels_on_demand = 0, settle_steps = 0, adaptions = 0;
   int fully_grown = 0;  // triangles, at the end
   ContactRescues contact;
 };

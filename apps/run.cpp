@@ -170,6 +170,7 @@ class Run {
     record_.cg_iterations += step.cg_iterations;
     record_.factorisations += step.factorisations;
     record_.halvings += step.halvings;
+    record_.short_of_tolerance += step.short_of_tolerance ? 1 : 0;
     if (body_) {
       sampleCloth(state_.positions, cloth_.triangles(), cloth_.topology().edges, samples_);
       contacts_.distancesSinceFind(samples_, distances_);
@@ -224,12 +225,11 @@ class Run {
       step_.potential().contactPressure(state_.positions, pressure_);
       Frame body_frame;
       body_->positions(moment.body, body_frame.positions);
-      options_.series->body->write(moment.time_s, std::move(body_frame));
+      options_.series->writeBody(moment.time_s, std::move(body_frame));
     }
     const GarmentFields fields{stretch_, *options_.first_areas, gap_, pressure_, pins_.vertices()};
-    const Numbering& numbering = options_.series->numbering;
-    options_.series->garment.write(moment.time_s, restored(garmentFrame(cloth_, state_, fields), numbering));
-    options_.series->rest.write(moment.time_s, restored(restFrame(cloth_, *options_.first_areas), numbering));
+    options_.series->write(moment.time_s, garmentFrame(cloth_, state_, fields),
+                           restFrame(cloth_, *options_.first_areas));
   }
 
   const Scene& scene_;
@@ -257,20 +257,6 @@ class Run {
 };
 
 }  // namespace
-
-SeriesOfRun::SeriesOfRun(const std::filesystem::path& directory, const Triangles& garment_triangles,
-                         const Numbering& garment_numbering, const Triangles& body_triangles, double keep_until)
-    : garment(directory, "garment", garment_triangles, keep_until),
-      rest(directory, "rest", garment_triangles, keep_until),
-      numbering(garment_numbering) {
-  if (body_triangles.rows() > 0) body.emplace(directory, "body", body_triangles, keep_until);
-}
-
-void SeriesOfRun::finish() {
-  garment.finish();
-  rest.finish();
-  if (body) body->finish();
-}
 
 MovingBody movingBody(const Scene& scene, const SceneInput& input) {
   const Scene fine = divided(scene, divisionFor(scene, input));

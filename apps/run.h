@@ -10,24 +10,12 @@
 #include "apps/checkpoint.h"
 #include "apps/report.h"
 #include "apps/scene.h"
+#include "apps/series_of_run.h"
 #include "apps/timeline.h"
 #include "collision/moving_body.h"
 #include "solver/step/time_step.h"
-#include "viz/series.h"
 
 namespace ease {
-
-/// Where a run's frames go.
-struct SeriesOfRun {
-  Series garment, rest;
-  std::optional<Series> body;
-  Numbering numbering;  // of the garment in the run
-  /// `garment_triangles`: as they were before the numbering.  `body_triangles` may be empty: no body.
-  /// Goes on with earlier series up to `keep_until`, s.
-  SeriesOfRun(const std::filesystem::path& directory, const Triangles& garment_triangles,
-              const Numbering& garment_numbering, const Triangles& body_triangles, double keep_until = -1.0);
-  void finish();
-};
 
 struct RunOptions {
   bool adapting = true;                              // the run that adapts and writes; otherwise a replay

@@ -43,8 +43,7 @@ class Job {
     const SceneInput input = renumbered(given, numbering);
     Cloth cloth(input.garment, scene_.garment.grain, scene_.material);
     timing_.vertices = cloth.vertexCount();
-    MovingBody body(input.body_triangles, input.poses, scene_.body->steps,
-                    {scene_.collision.voxel, std::max(0.03, 3.0 * scene_.collision.offset)});
+    MovingBody body = movingBody(scene_, input);
     timing_.setup_s = secondsSince(start);
     const ScratchDirectory scratch;
     SeriesOfRun series(scratch.path, given.garment.triangles, numbering, input.body_triangles);

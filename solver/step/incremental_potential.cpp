@@ -244,24 +244,23 @@ double IncrementalPotential::gradient(const Positions& x, Positions& gradient) {
   return std::accumulate(partial_.begin(), partial_.end(), energy);
 }
 
-double IncrementalPotential::kinetic(const Positions& x, const Positions& from, const Vec3& shift) const {
-  const double sum = parallelSum(cloth_.vertexCount(), [&](int i) {
-    return cloth_.masses()[i] * (x.row(i) - from.row(i) - shift.transpose()).squaredNorm();
-  });
-  return sum / (options_.h * options_.h);
-}
-
-double IncrementalPotential::kinetic(const Positions& d) const {
-  return parallelSum(cloth_.vertexCount(), [&](int i) { return cloth_.masses()[i] * d.row(i).squaredNorm(); }) /
+template <class Displacement>
+double IncrementalPotential::kineticOf(const Displacement& displacement) const {
+  return parallelSum(cloth_.vertexCount(), [&](int i) { return cloth_.masses()[i] * displacement(i).squaredNorm(); }) /
          (options_.h * options_.h);
 }
 
+double IncrementalPotential::kinetic(const Positions& d) const {
+  return kineticOf([&](int i) -> Vec3 { return d.row(i); });
+}
+
 double IncrementalPotential::motion(const Positions& x) const {
-  return kinetic(x, start_, Vec3::Zero());
+  return kineticOf([&](int i) -> Vec3 { return x.row(i) - start_.row(i); });
 }
 
 double IncrementalPotential::correction(const Positions& x) const {
-  return kinetic(x, inertial_, -options_.h * options_.h * options_.gravity);  // inertial_ has fallen already
+  const Vec3 fall = options_.h * options_.h * options_.gravity;  // inertial_ has fallen already
+  return kineticOf([&](int i) -> Vec3 { return (x.row(i) - inertial_.row(i)).transpose() + fall; });
 }
 
 double IncrementalPotential::roundOff(const Positions& x, double energy) const {

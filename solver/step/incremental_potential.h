@@ -114,8 +114,9 @@ class IncrementalPotential {
       }
   }
   Vec3 gatherContact(int vertex) const;
-  /// Twice the kinetic energy of moving from `from` + shift to x within the step, J.
-  double kinetic(const Positions& x, const Positions& from, const Vec3& shift) const;
+  /// Twice the kinetic energy of moving vertex i by displacement(i) within the step, J.
+  template <class Displacement>
+  double kineticOf(const Displacement& displacement) const;
 
   const Cloth& cloth_;
   int rest_revision_ = -1;  // of the cloth's, that the bending matrix has

@@ -123,6 +123,7 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
     minimise(summary);
     stale = !contacts_.planes.empty() && (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStale * kStale;
   }
+  summary.short_of_tolerance = !summary.converged && options_.method != Method::bw1 && options_.method != Method::pd;
   if (!point_.x.allFinite()) throw ComputationError("a position is not finite");
   state.velocities = (point_.x - state.positions) / options.h;
   state.positions = point_.x;
