@@ -1,4 +1,4 @@
-// Closed surfaces with known distances, and points around them.
+// Closed surfaces with known distances, points around them, measures of meshes.
 #pragma once
 
 #include <algorithm>
@@ -88,6 +88,30 @@ inline TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
   mesh.positions << a.positions, b.positions;
   mesh.triangles << a.triangles, (b.triangles.array() + static_cast<int>(a.positions.rows())).matrix();
   return mesh;
+}
+
+/// What a closed surface encloses, m^3.
+inline double volume(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  for (int t = 0; t < mesh.triangles.rows(); ++t) {
+    const Vec3 a = mesh.positions.row(mesh.triangles(t, 0)), b = mesh.positions.row(mesh.triangles(t, 1));
+    const Vec3 c = mesh.positions.row(mesh.triangles(t, 2));
+    sum += a.dot(b.cross(c)) / 6.0;
+  }
+  return sum;
+}
+
+/// Of all triangles, degrees.
+inline double smallestAngle(const TriangleMesh& mesh) {
+  double least = 180.0;
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 a = mesh.positions.row(mesh.triangles(t, k));
+      const Vec3 u = mesh.positions.row(mesh.triangles(t, (k + 1) % 3)).transpose() - a;
+      const Vec3 v = mesh.positions.row(mesh.triangles(t, (k + 2) % 3)).transpose() - a;
+      least = std::min(least, std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / std::numbers::pi);
+    }
+  return least;
 }
 
 /// Points spread evenly and irregularly over a box; the same for every run.

@@ -1,6 +1,5 @@
 #include "collision/mannequin.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,31 +10,12 @@
 #include "collision/triangle_tree.h"
 #include "solver/mesh/error.h"
 #include "solver/mesh/topology.h"
+#include "tests/collision/bodies.h"
 
 using namespace ease;
+using namespace ease::bodies;
 
 namespace {
-
-double volume(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  for (int t = 0; t < mesh.triangles.rows(); ++t) {
-    const Vec3 a = mesh.positions.row(mesh.triangles(t, 0)), b = mesh.positions.row(mesh.triangles(t, 1)),
-               c = mesh.positions.row(mesh.triangles(t, 2));
-    sum += a.dot(b.cross(c)) / 6.0;
-  }
-  return sum;
-}
-
-double smallestAngle(const TriangleMesh& mesh) {
-  double smallest = 180.0;
-  for (int t = 0; t < mesh.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 a = mesh.positions.row(mesh.triangles(t, k)), b = mesh.positions.row(mesh.triangles(t, (k + 1) % 3)),
-                 c = mesh.positions.row(mesh.triangles(t, (k + 2) % 3));
-      smallest = std::min(smallest, std::acos((b - a).normalized().dot((c - a).normalized())) * 180.0 / M_PI);
-    }
-  return smallest;
-}
 
 /// The vertex at the tip of the left hand in the T-pose.
 int leftHand() {
@@ -78,30 +58,6 @@ TEST_CASE("the mannequin's left is the mirror image of its right") {
     CHECK(left.gradient.x() == -right.gradient.x());
     CHECK(left.gradient.y() == right.gradient.y());
   }
-}
-
-TEST_CASE("the vertices of the T-pose lie on the implicit surface") {
-  const Positions x = mannequin("t").positions;
-  double furthest = 0.0;
-  for (int v = 0; v < x.rows(); ++v) furthest = std::max(furthest, std::abs(mannequinDistance(x.row(v)).value));
-  CHECK(furthest < 1e-5);
-}
-
-TEST_CASE("the gradient of the mannequin's distance agrees with finite differences at its surface") {
-  const Positions positions = mannequin("t").positions;
-  constexpr double kStep = 1e-6;
-  double worst = 0.0;
-  for (int v = 0; v < positions.rows(); v += 97) {
-    const Vec3 x = positions.row(v);
-    const Vec3 gradient = mannequinDistance(x).gradient;
-    CHECK(gradient.norm() > 0.5);
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 step = kStep * Vec3::Unit(k);
-      const double slope = (mannequinDistance(x + step).value - mannequinDistance(x - step).value) / (2.0 * kStep);
-      worst = std::max(worst, std::abs(slope - gradient[k]));
-    }
-  }
-  CHECK(worst < 0.05);  // the gradient leaves out how a flattened limb's slope varies, where it is blended
 }
 
 TEST_CASE("no pose of the mannequin passes through itself") {

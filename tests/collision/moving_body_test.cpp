@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "collision/body_pins.h"
 #include "collision/mannequin.h"
 
 using namespace ease;
@@ -40,22 +39,4 @@ TEST_CASE("just before and just after a level set is exchanged, distances agree"
   finder.distances(body.at(3.4999), points, before);
   finder.distances(body.at(3.5001), points, after);
   for (size_t i = 0; i < points.size(); ++i) CHECK(before[i] == Approx(after[i]).margin(5e-4));
-}
-
-TEST_CASE("pins stay where they are on the body") {
-  const Poses poses;
-  MovingBody body(poses.t.triangles, {poses.t.positions, poses.a.positions}, 4, LevelSetOptions{});
-  Positions cloth(2, 3);
-  cloth << 0.45, 1.42, 0.06, 0.0, 1.0, 0.15;
-  const BodyPins pins({0, 1}, cloth, poses.t.positions, poses.t.triangles);
-  std::vector<Vec3> places;
-  for (int k = 0; k <= 4; ++k) body.prepare(k, places);
-  pins.place(body.at(4.0), places);
-  REQUIRE(places.size() == 2);
-  const TriangleTree t_tree(poses.t.positions, poses.t.triangles), a_tree(poses.a.positions, poses.a.triangles);
-  for (int i = 0; i < 2; ++i)
-    CHECK(a_tree.signedDistance(places[i], 1.0) ==
-          Approx(t_tree.signedDistance(cloth.row(i).transpose(), 1.0)).margin(2e-3));
-  CHECK((places[0] - cloth.row(0).transpose()).norm() > 0.1);   // the arm went down
-  CHECK((places[1] - cloth.row(1).transpose()).norm() < 0.02);  // the belly did not
 }
