@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "garment/surface_path.h"
 #include "tests/sheet.h"
 
 using namespace ease;
@@ -56,29 +55,4 @@ TEST_CASE("points that follow each other on a curve lie on two edges of one tria
       for (const int t : q.triangle) shared |= s >= 0 && s == t;
     CHECK(shared);
   }
-}
-
-TEST_CASE("a shortest path on a flat sheet is straight to a percent or two") {
-  const Topology topology = buildTopology(kSheet, "sheet");
-  const SurfacePaths paths(kSheet, topology);
-  const int start = paths.nearestNode({0.05, 0.1, 0.0}), goal = paths.nearestNode({0.95, 0.7, 0.0});
-  const auto nodes = paths.shortest(start, goal);
-  REQUIRE(nodes);
-  CHECK(nodes->front() == start);
-  CHECK(nodes->back() == goal);
-  std::vector<Vec3> points;
-  for (const int node : *nodes) points.push_back(paths.position(node));
-  const double straight = (points.front() - points.back()).norm();
-  CHECK(polygonLength(points, false) < 1.02 * straight);
-}
-
-TEST_CASE("there is no path to a part that is not connected") {
-  TriangleMesh two;
-  two.positions.resize(6, 3);
-  two.positions << 0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0;
-  two.triangles.resize(2, 3);
-  two.triangles << 0, 1, 2, 3, 4, 5;
-  const Topology topology = buildTopology(two, "two");
-  const SurfacePaths paths(two, topology);
-  CHECK_FALSE(paths.shortest(paths.nearestNode({0, 0, 0}), paths.nearestNode({6, 0, 0})));
 }

@@ -2,9 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "garment/looped_mesh.h"
 #include "garment/mesh_quality.h"
-#include "solver/mesh/topology.h"
 #include "tests/garment/tools.h"
 #include "tests/sheet.h"
 
@@ -14,13 +12,6 @@ using Catch::Contains;
 namespace {
 
 const TriangleMesh kTube = makeTube(24, 4, 0.1, 0.3);  // long triangles
-
-LoopedMesh named(const TriangleMesh& tube) {
-  LoopedMesh mesh{tube, {}};
-  for (const auto& loop : buildTopology(tube, "tube").boundary_loops)
-    mesh.loops.push_back({tube.positions(loop[0], 1) > 0.15 ? "top" : "bottom", loop});
-  return mesh;
-}
 
 }  // namespace
 
@@ -43,16 +34,4 @@ TEST_CASE("remeshing to a number of vertices comes within 2.5 percent of it") {
 
 TEST_CASE("a number of vertices too small for the loops is refused by name") {
   CHECK_THROWS_WITH(remeshedTo(kTube, 5, "sleeve"), Contains("sleeve"));
-}
-
-TEST_CASE("loops keep their names, and one that is lost is named") {
-  const LoopedMesh before = named(kTube);
-  const LoopedMesh after = withLoopNames(remeshed(kTube, 0.03), before);
-  REQUIRE(after.loops.size() == 2);
-  for (const NamedLoop& loop : after.loops)
-    for (const Vec3& x : positionsOf(loop.vertices, after.mesh.positions))
-      CHECK(x.y() == Approx(loop.name == "top" ? 0.3 : 0.0).margin(1e-9));
-  LoopedMesh three = before;
-  three.loops.push_back({"sleeve", before.loops[0].vertices});
-  CHECK_THROWS_WITH(withLoopNames(kTube, three), Contains("sleeve") || Contains("top"));
 }

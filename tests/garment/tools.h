@@ -12,6 +12,7 @@ namespace ease {
 using bodies::capsule;
 using bodies::joined;
 using bodies::moved;
+using bodies::smallestAngle;
 
 constexpr double kRadius = 0.12, kHalfLength = 0.3;  // m, of the capsule around the y axis
 
