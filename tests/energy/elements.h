@@ -40,6 +40,13 @@ struct Element {
   }
 };
 
+/// Sheared; stretched, about as it was, or compressed.
+inline Mat32 someGradient(double scale) {
+  Mat32 F;
+  F << 0.9, 0.5, 0.1, 0.8, -0.4, 0.3;
+  return scale * F;
+}
+
 inline std::vector<Element> elements() {
   const Spring stretch{800.0, 1.0}, shear{200.0, 0.0}, damped_shear{200.0, 0.3};
   std::vector<Element> all;

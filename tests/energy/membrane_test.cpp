@@ -1,3 +1,4 @@
+// What holds for every term of the membrane; what sets one apart: stretch_test, shear_test, isotropic_test.
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -10,13 +11,6 @@ using namespace ease;
 namespace {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
-
-// Sheared; stretched, about as it was, or compressed.
-Mat32 someGradient(double scale) {
-  Mat32 F;
-  F << 0.9, 0.5, 0.1, 0.8, -0.4, 0.3;
-  return scale * F;
-}
 
 Mat6 differenceHessian(const Element& element, const Mat32& F) {
   Mat6 H;
@@ -116,39 +110,4 @@ TEST_CASE("cloth flattened to a line or a point has a finite energy and stress")
       CHECK(element.stress(F).allFinite());
       CHECK(element.whole(F, Curvature::projected).allFinite());
     }
-}
-
-TEST_CASE("both shears equal the squared cosine to second order, and the orthogonal one a distance exactly") {
-  for (const double angle : {1e-2, 1e-3}) {
-    Mat32 F;
-    F << 1.0, std::sin(angle), 0.0, std::cos(angle), 0.0, 0.0;
-    const double cosine = F.col(0).dot(F.col(1));
-    for (const Element& element : {elements()[1], elements()[2]})
-      CHECK(element.energy(F) == Approx(0.5 * 200.0 * cosine * cosine).epsilon(angle * angle));
-  }
-  // 2 dist^2 = A - sqrt(A^2 - 4 D^2), A = |f_u|^2 + |f_v|^2, D = f_u . f_v.
-  const Mat32 F = someGradient(1.0);
-  const double A = F.squaredNorm(), D = F.col(0).dot(F.col(1));
-  CHECK(elements()[1].energy(F) == Approx(0.5 * 200.0 * (A - std::sqrt(A * A - 4.0 * D * D))).epsilon(1e-12));
-}
-
-TEST_CASE("the isotropic membrane has the modulus and Poisson ratio of its constants") {
-  // Pulled along u, free across: the stress across vanishes at the width that -nu predicts.
-  const double mu = 400.0, lambda = 300.0, strain = 1e-6;
-  const Element element = elements().back();
-  const double nu = lambda / (2.0 * mu + lambda), modulus = 4.0 * mu * (mu + lambda) / (2.0 * mu + lambda);
-  Mat32 F = Mat32::Zero();
-  F(0, 0) = 1.0 + strain;
-  F(1, 1) = 1.0 - nu * strain;
-  const Mat32 stress = element.stress(F);
-  CHECK(std::abs(stress(1, 1)) < 1e-9);
-  CHECK(stress(0, 0) == Approx(modulus * strain).epsilon(1e-6));
-}
-
-TEST_CASE("damping adds the force of the condition's rate") {
-  const double damping_over_h = 300.0, start = 1.2, now = 1.1;
-  const Spring with = damped({800.0, 1.0}, damping_over_h, start);
-  Column<double> stress{0.0, 0.0, 0.0};
-  addStretch(Column<double>{now, 0.0, 0.0}, with.k, with.c, stress);
-  CHECK(stress.x == Approx(800.0 * (now - 1.0) + damping_over_h * (now - start)).epsilon(1e-12));
 }

@@ -3,50 +3,12 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "tests/sheet.h"
+#include "tests/step/potential_scene.h"
 
 using namespace ease;
 
-namespace {
-
-Material everyTerm() {
-  Material material;
-  material.bending = 1e-3;
-  material.damping_stretch = 2.0;
-  material.damping_shear = 1.0;
-  material.damping_bending = 1e-5;
-  return material;
-}
-
-// A sheet in motion, stretched here and compressed there, with some samples in contact.
-struct Scene {
-  TriangleMesh mesh = makeSheet(6, 5, 0.12, 0.1, 0.2);
-  Cloth cloth;
-  IncrementalPotential potential;
-  StepOptions options;
-  Contacts contacts;
-  Positions x;
-
-  explicit Scene(const Material& material = everyTerm())
-      : cloth(mesh, Vec3(0.3, -1.0, 0.1), material), potential(cloth) {
-    const int n = cloth.vertexCount(), e = static_cast<int>(cloth.topology().edges.size());
-    State start{mesh.positions + 2e-3 * randomPositions(n, 1), 0.5 * randomPositions(n, 2)};
-    x = start.positions + 2e-3 * randomPositions(n, 3);
-    contacts.planes.resize(n + e + cloth.triangleCount());
-    for (size_t s = 0; s < contacts.planes.size(); s += 3) {
-      contacts.planes[s].normal = Vec3(0.1, 0.2 * std::sin(0.1 * s), 1.0).normalized();
-      contacts.planes[s].offset = 1.2e-2;
-      if (s % 4 == 0) contacts.seconds.push_back({static_cast<int>(s), {Vec3(0.8, 0.0, 0.6), 0.1, 2e-3}});
-    }
-    potential.begin(start, options);
-    potential.setContacts(contacts);
-  }
-};
-
-}  // namespace
-
 TEST_CASE("the gradient of the potential is its derivative, with every term") {
-  Scene scene;
+  PotentialScene scene;
   Positions gradient(scene.x.rows(), 3);
   scene.potential.gradient(scene.x, gradient);
   Positions unused(scene.x.rows(), 3);
@@ -57,28 +19,6 @@ TEST_CASE("the gradient of the potential is its derivative, with every term") {
     const double difference =
         centralDifference([&](double e) { return scene.potential.gradient(scene.x + e * d, unused); }, 1e-8);
     CHECK(difference == Approx(slope).epsilon(1e-5));
-  }
-}
-
-TEST_CASE("the Hessian is the derivative of the gradient where nothing is compressed") {
-  Material material = everyTerm();
-  material.damping_stretch = material.damping_shear = 0.0;  // whose targets lie on either side of the lengths
-  Scene scene(material);
-  scene.x = 1.1 * scene.x;  // stretched everywhere by more than it is disturbed
-  const Curvature kind = GENERATE(Curvature::exact, Curvature::projected);
-  BlockMatrix hessian(scene.cloth.vertexCount(), scene.cloth.topology().edges);
-  scene.potential.hessian(scene.x, kind, hessian);
-  Positions product(scene.x.rows(), 3), up = product, down = product;
-  for (unsigned seed = 10; seed < 13; ++seed) {
-    const Positions d = randomPositions(static_cast<int>(scene.x.rows()), seed);
-    hessian.multiply(d, product);
-    scene.potential.addBending(d, product);
-    scene.potential.gradient(scene.x + 1e-8 * d, up);
-    scene.potential.gradient(scene.x - 1e-8 * d, down);
-    const Positions exact = (up - down) / 2e-8;
-    // Projected, the shear's negative part is left out: small here beside the whole, and what remains is never less.
-    CHECK((product - exact).norm() < (kind == Curvature::exact ? 1e-5 : 0.02) * exact.norm());
-    CHECK(product.cwiseProduct(d).sum() >= 0.999999 * exact.cwiseProduct(d).sum());
   }
 }
 
