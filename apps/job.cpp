@@ -22,7 +22,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kCheckpoint = "checkpoint.bin";
-constexpr double kWorrying = 2e-3;     // m: into the body, worth a warning
 constexpr double kShownStretch = 0.1;  // marked in the picture of a run that has no limit
 
 double secondsSince(Clock::time_point start) {
@@ -83,8 +82,6 @@ class Job {
     if (!interrupted_) drawPictures();
     finishReport(start);
     fmt::print("{}", summaryText(report_));
-    for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
-      fmt::print(stderr, "ease: warning: {}\n", report_.warnings[k]);
     return !interrupted_;
   }
 
@@ -222,10 +219,7 @@ class Job {
 
   void finishReport(Clock::time_point start) {
     progress_.reset();
-    const Penetration& deepest = report_.run.penetration;
-    const double most = std::max({deepest.vertices, deepest.edge_midpoints, deepest.centroids});
-    if (most > kWorrying)
-      report_.warnings.push_back(fmt::format("the garment went {:.1f} mm into the body", 1e3 * most));
+    for (const std::string& warning : depthWarnings(report_)) report_.warnings.push_back(warning);
     if (report_.run.fully_grown > 0)
       report_.warnings.push_back(
           fmt::format("{} triangles are still over the limit at {:g} times their first length: a load stretches them, "
@@ -233,6 +227,8 @@ class Job {
                       report_.run.fully_grown, kMostGrowth));
     report_.interrupted = interrupted_;
     report_.total_s = secondsSince(start);
+    for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
+      fmt::print(stderr, "ease: warning: {}\n", report_.warnings[k]);
     writeReport(report_, scene_, directory_);
   }
 

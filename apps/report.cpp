@@ -6,7 +6,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "apps/progress.h"
 #include "solver/mesh/error.h"
 
 namespace ease {
@@ -41,6 +40,15 @@ double peakMemoryMB() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+double deepest(const Penetration& p) {
+  return std::max({p.vertices, p.edge_midpoints, p.centroids});
+}
+
+std::string depthLine(const char* when, const Penetration& p) {
+  return fmt::format("deepest in the body{}: vertices {:.2f} mm, edge midpoints {:.2f} mm, centroids {:.2f} mm\n", when,
+                     1e3 * p.vertices, 1e3 * p.edge_midpoints, 1e3 * p.centroids);
 }
 
 double perSecond(int steps, double seconds) {
@@ -143,12 +151,26 @@ void writeReport(const Report& report, const Scene& scene, const std::filesystem
   if (error) throw ComputationError(fmt::format("{}: {}", file.string(), error.message()));
 }
 
+std::vector<std::string> depthWarnings(const Report& report) {
+  constexpr double kWorrying = 2e-3;  // m
+  std::vector<std::string> warnings;
+  const auto warn = [&](const char* garment, const Penetration& depth, const char* when) {
+    if (deepest(depth) > kWorrying)
+      warnings.push_back(fmt::format("{} went {:.1f} mm into the body{}", garment, 1e3 * deepest(depth), when));
+  };
+  if (report.verified) warn("the adapted garment", report.after.penetration, ", replayed");
+  warn("the garment", report.run.penetration, report.limit > 0.0 ? " while it was adapted" : "");
+  return warnings;
+}
+
 std::string summaryText(const Report& report) {
   const PassRecord& run = report.run;
-  std::string text =
-      fmt::format("{} vertices, {} steps of {} ms in {}: {:.1f} steps/s all included, {:.1f} the simulation alone\n",
-                  report.vertices, run.steps, 1e3 * report.time_step_s, durationText(report.total_s),
-                  perSecond(run.steps, report.setup_s + run.wall_s), perSecond(run.steps, run.step_s));
+  const double run_s = report.setup_s + run.wall_s;
+  std::string text = fmt::format(
+      "{} vertices, {} steps of {} ms in {:.1f} s: {:.1f} steps/s with setup and output, {:.1f} the time steps alone\n"
+      "{:.1f} s in all: {:.1f} s more for {}pictures and report\n",
+      report.vertices, run.steps, 1e3 * report.time_step_s, run_s, perSecond(run.steps, run_s),
+      perSecond(run.steps, run.step_s), report.total_s, report.total_s - run_s, report.verified ? "replays, " : "");
   if (report.verified) {
     const auto line = [&](const char* when, const StretchRecord& s) {
       text += fmt::format("stretch {}: at most {:.3f}, 99 % below {:.3f}, over {:.3g}: {:.2f} % of the triangles\n",
@@ -160,11 +182,9 @@ std::string summaryText(const Report& report) {
   if (report.limit > 0.0)
     text += fmt::format("rest shape: area {:+.2f} %, largest growth {:.2f} times, 99 % below {:.2f}\n",
                         100.0 * (report.growth_area_ratio - 1.0), report.growth_max, report.growth_p99);
-  if (!report.pose_names.empty())
-    text += fmt::format("deepest in the body: vertices {:.2f} mm, edge midpoints {:.2f} mm, centroids {:.2f} mm\n",
-                        1e3 * run.penetration.vertices, 1e3 * run.penetration.edge_midpoints,
-                        1e3 * run.penetration.centroids);
-  return text;
+  if (report.pose_names.empty()) return text;
+  if (report.verified) text += depthLine(", adapted garment replayed", report.after.penetration);
+  return text + depthLine(report.limit > 0.0 ? ", while adapting" : "", run.penetration);
 }
 
 }  // namespace ease

@@ -55,6 +55,9 @@ struct Report {
 /// Writes report.json into the directory, temporary name first.  Throws ComputationError naming the file.
 void writeReport(const Report& report, const Scene& scene, const std::filesystem::path& directory);
 
+/// One line each for the garment that goes deep into the body, in the run or in the adapted garment's replay.
+std::vector<std::string> depthWarnings(const Report& report);
+
 /// A few lines for people.
 std::string summaryText(const Report& report);
 
