@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "garment/nearness.h"
 #include "garment/surface_path.h"
 #include "solver/linear/gradient_system.h"
 #include "solver/linear/parallel.h"
@@ -222,7 +223,10 @@ class LoopFinder {
 
   std::vector<int> controlNodes(const LoopRequest& request) const {
     std::vector<int> nodes;
-    for (const Vec3& x : request.points) nodes.push_back(paths_.nearestNode(x));
+    for (const Vec3& x : request.points) {
+      expectNear(body_, x, kNearLine, fmt::format("boundary '{}': point {}", request.name, nodes.size()), "the body");
+      nodes.push_back(paths_.nearestNode(x));
+    }
     for (const int v : request.vertices) {
       if (v >= body_.positions.rows())
         refuse(request.name,

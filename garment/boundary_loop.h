@@ -39,8 +39,9 @@ struct BoundaryLoop {
 };
 
 /// The loops, in the order of the requests.  `smoothing`: s, m.  Throws InputError naming the loop: fewer than three
-/// points, a vertex that the body does not have, points on parts that are not connected, a loop that crosses itself or
-/// does not divide the body in two, one so small that smoothing leaves nothing, a plane that cuts nothing.
+/// points, a point far from the body, a vertex that the body does not have, points on parts that are not connected, a
+/// loop that crosses itself or does not divide the body in two, one so small that smoothing leaves nothing, a plane
+/// that cuts nothing.
 std::vector<BoundaryLoop> findLoops(const TriangleMesh& body, const Topology& topology,
                                     const std::vector<LoopRequest>& requests, double smoothing);
 

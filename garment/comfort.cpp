@@ -168,9 +168,19 @@ class Mover {
 
 std::vector<double> comfortOffsets(const Positions& positions, double offset, const std::vector<Brush>& regions) {
   std::vector<double> offsets(positions.rows(), offset);
-  for (size_t v = 0; v < offsets.size(); ++v)
-    for (const Brush& region : regions)
-      offsets[v] += brushWeight(region, positions.row(v)) * (region.value - offsets[v]);
+  for (size_t r = 0; r < regions.size(); ++r) {
+    const Brush& region = regions[r];
+    bool touches = false;
+    for (size_t v = 0; v < offsets.size(); ++v) {
+      const double weight = brushWeight(region, positions.row(v));
+      touches = touches || weight > 0.0;
+      offsets[v] += weight * (region.value - offsets[v]);
+    }
+    if (!touches)
+      throw InputError(
+          fmt::format("comfort.region number {}: at = [{:g}, {:g}, {:g}], radius = {:g}: touches no vertex", r + 1,
+                      region.at.x(), region.at.y(), region.at.z(), region.radius));
+  }
   return offsets;
 }
 

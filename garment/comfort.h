@@ -10,7 +10,7 @@
 namespace ease {
 
 /// Comfort offset at every vertex, m: `offset`, and towards a brush's value where it acts; later brushes act upon what
-/// earlier ones left.
+/// earlier ones left.  Throws InputError, naming its place in the list, where a brush touches no vertex.
 std::vector<double> comfortOffsets(const Positions& positions, double offset, const std::vector<Brush>& regions);
 
 /// Moves the garment out until every vertex, edge midpoint and centroid is its offset, the mean of its vertices', away

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "collision/triangle_tree.h"
+#include "garment/nearness.h"
 #include "solver/mesh/error.h"
 
 namespace ease {
@@ -106,6 +107,7 @@ LoopedMesh extract(const CutMesh& cut, const std::vector<BoundaryLoop>& loops, c
 
 LoopedMesh enclosedRegion(const TriangleMesh& body, const Topology& topology, const std::vector<BoundaryLoop>& loops,
                           const Vec3& seed) {
+  expectNear(body, seed, kNearPart, "region: seed", "the body");
   const CutMesh cut = cutAlong(body, topology, loops);
   const Topology cut_topology = buildTopology(cut.mesh, "body");
   const TriangleTree tree(cut.mesh.positions, cut.mesh.triangles);

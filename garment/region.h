@@ -10,7 +10,7 @@ namespace ease {
 
 /// Cuts the body exactly along the loops and takes the part around the point of its surface nearest to `seed` (m).
 /// Every loop must bound that part.  Throws InputError naming the loops that do not: the seed lies outside of them, or
-/// they enclose nothing.
+/// they enclose nothing; or where the seed is far from the body.
 LoopedMesh enclosedRegion(const TriangleMesh& body, const Topology& topology, const std::vector<BoundaryLoop>& loops,
                           const Vec3& seed);
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <queue>
 
+#include "garment/nearness.h"
 #include "garment/seam_straightening.h"
 #include "garment/surface_path.h"
 #include "solver/mesh/error.h"
@@ -38,6 +39,9 @@ class SeamFinder {
 
   SeamLine line(const SeamRequest& request) const {
     if (request.plane) return inPlane(request);
+    for (size_t i = 0; i < request.points.size(); ++i)
+      expectNear(garment_.mesh, request.points[i], kNearLine, fmt::format("seam '{}': point {}", request.name, i),
+                 "the garment");
     return request.from.empty() ? closedThrough(request) : betweenLoops(request);
   }
 

@@ -28,8 +28,8 @@ struct Seam {
 };
 
 /// Finds the seams, in the order of the requests, and moves the garment's vertices within its surface so that they run
-/// smoothly.  Throws InputError naming the seam: a loop that does not exist, points that are not connected, a plane
-/// that cuts nothing, too short a line for the mesh.
+/// smoothly.  Throws InputError naming the seam: a loop that does not exist, a point far from the garment, points that
+/// are not connected, a plane that cuts nothing, too short a line for the mesh.
 std::vector<Seam> findSeams(const std::vector<SeamRequest>& requests, LoopedMesh& garment);
 
 }  // namespace ease

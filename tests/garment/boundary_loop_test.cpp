@@ -94,6 +94,10 @@ TEST_CASE("an impossible loop is refused by name") {
   LoopRequest two = pointLoop("cuff", 0.0, 4);
   two.points.resize(2);
   checkRefused(body, two, "boundary 'cuff': 2 points: expected at least 3");
+  LoopRequest far = pointLoop("cuff", 0.0, 4);
+  far.points[2].z() -= 0.52;
+  checkRefused(body, far, "boundary 'cuff': point 2 = [");
+  checkRefused(body, far, "is 0.52 m from the body: expected within 0.1 m");
   checkRefused(body, {"cuff", {}, {0, 1, 999999}, {}}, "boundary 'cuff': vertex 999999: expected 0 to ");
   checkRefused(body, planeLoop("cuff", {0, 2, 0}, {0, 1, 0}), "boundary 'cuff': its plane does not cut the body");
 

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "garment/mesh_quality.h"
+#include "solver/mesh/error.h"
 #include "solver/mesh/topology.h"
 #include "tests/garment/tools.h"
 #include "tests/sheet.h"
@@ -36,6 +37,15 @@ TEST_CASE("a later region acts upon what an earlier one left") {
   Positions x(1, 3);
   x << 0, 0, 0;
   CHECK(comfortOffsets(x, 0.005, {{Vec3::Zero(), 0.1, 0.03}, {Vec3::Zero(), 0.1, 0.01}})[0] == Approx(0.01));
+}
+
+TEST_CASE("a region beside the garment is refused") {
+  Positions x(1, 3);
+  x << 0, 0, 0;
+  const Brush near{Vec3::Zero(), 0.1, 0.03}, far{{5, 0, 0}, 0.1, 0.03};
+  CHECK_THROWS_AS(comfortOffsets(x, 0.005, {near, far}), InputError);
+  CHECK_THROWS_WITH(comfortOffsets(x, 0.005, {near, far}),
+                    "comfort.region number 2: at = [5, 0, 0], radius = 0.1: touches no vertex");
 }
 
 TEST_CASE("a garment is moved clear of the body, by as much as each place asks for and little more") {

@@ -80,6 +80,8 @@ TEST_CASE("a seed or loops that enclose nothing are refused") {
   CHECK(messageOf({kTop, kBottom}, {0, 0.42, 0}) ==
         "seed = [0, 0.42, 0] lies outside the boundaries: the part of the body around it ends at 'top', not at "
         "'bottom'");
+  CHECK(messageOf({kTop, kBottom}, {0, 0, 0.62}) ==
+        "region: seed = [0, 0, 0.62] is 0.5 m from the body: expected within 0.2 m");
   LoopRequest tilted = kTop;
   tilted.name = "tilted";
   tilted.plane->normal = {0, 1, 0.3};

@@ -89,6 +89,10 @@ TEST_CASE("an impossible seam is refused by name") {
   request.to = "neck";
   CHECK_THROWS_AS(findSeams({request}, garment), InputError);
   CHECK_THROWS_WITH(findSeams({request}, garment), "seam 'side': loop 'neck': expected one of 'top', 'hem'");
+  request = kSide;
+  request.points[0].x() += 0.52;
+  CHECK_THROWS_WITH(findSeams({request}, garment),
+                    "seam 'side': point 0 = [0.64, 0, 0] is 0.52 m from the garment: expected within 0.1 m");
   const SeamRequest beside{"waist", "", "", {}, PlaneNear{{0, 2, 0}, {0, 1, 0}, {0, 2, 0}}};
   CHECK_THROWS_WITH(findSeams({beside}, garment), "seam 'waist': its plane does not cut the garment");
   const SeamRequest two{"waist", "", "", {{0, 0, 0.12}, {0, 0, -0.12}}, {}};
