@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "collision/triangle_tree.h"
-#include "garment/mesh_quality.h"
 #include "garment/pieces.h"
 #include "solver/mesh/mesh_io.h"
 #include "viz/picture.h"
@@ -81,20 +79,26 @@ Json garmentJson(const Scene& scene, const SceneInput& input, const MeshQuality&
           {"seams", seams}};
 }
 
-std::string summaryOf(const MeshQuality& quality, const AuthoredGarment& authored) {
+/// "5.00 mm" or, where comfort has regions, "5.00 to 30.00 mm".
+std::string wantedText(const std::vector<double>& offsets) {
+  const auto [least, most] = std::minmax_element(offsets.begin(), offsets.end());
+  return *least < *most ? fmt::format("{:.2f} to {:.2f} mm", 1e3 * *least, 1e3 * *most)
+                        : fmt::format("{:.2f} mm", 1e3 * *least);
+}
+
+std::string summaryOf(const AuthoredGarment& authored) {
   const AuthoredGarment::Times& times = authored.times;
-  const double nearest =
-      std::min({quality.vertex_distance_m, quality.midpoint_distance_m, quality.centroid_distance_m});
+  const MeshQuality& quality = authored.quality;
   return fmt::format(
       "garment   {} vertices, {} triangles, edges {:.1f} mm\n"
       "quality   smallest angle {:.1f} deg, {:.2f} % of triangles 20 deg or more, {} self-intersections\n"
-      "distance  {:.2f} mm at least to the body; {} vertices in folds with less room than comfort asks for\n"
+      "distance  {:.2f} mm at least to the body, {} asked for; {} vertices in folds with less room than that\n"
       "times     {:.2f} s: loops {:.2f}, region {:.2f}, extension {:.2f}, remeshing {:.2f}, seams {:.2f}, comfort "
       "{:.2f}\n",
       quality.vertices, quality.triangles, 1e3 * quality.mean_edge_m, quality.smallest_angle_deg,
-      100.0 * quality.share_from_20_deg, quality.self_intersections, 1e3 * nearest, authored.held_vertices,
-      times.total(), times.loops_s, times.region_s, times.extension_s, times.remeshing_s, times.seams_s,
-      times.comfort_s);
+      100.0 * quality.share_from_20_deg, quality.self_intersections, 1e3 * quality.nearest(),
+      wantedText(authored.offsets), authored.held_vertices, times.total(), times.loops_s, times.region_s,
+      times.extension_s, times.remeshing_s, times.seams_s, times.comfort_s);
 }
 
 /// Coloured by paint where there is any, otherwise by comfort; with the loops.
@@ -126,12 +130,12 @@ std::string drawGarment(const SceneInput& input, const MeshQuality& quality, con
 
 std::string writeGarment(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory) {
   const TriangleMesh body{input.poses.front(), input.body_triangles};
-  const MeshQuality quality = meshQuality(input.garment, TriangleTree(body.positions, body.triangles), input.offsets);
+  const MeshQuality& quality = input.authored->quality;
   writeObj(directory / "garment.obj", input.garment);
   writeObj(directory / "body.obj", body);
   writeVtp(directory / "garment.vtp", input.garment.triangles, garmentFrame(input));
   writeWholeFile(directory / "garment.json", garmentJson(scene, input, quality).dump(1) + "\n");
-  std::string text = summaryOf(quality, *input.authored);
+  std::string text = summaryOf(*input.authored);
   const std::string reason = drawGarment(input, quality, directory);
   if (!reason.empty()) text += "no picture: " + reason + "\n";
   return text;

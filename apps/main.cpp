@@ -84,9 +84,7 @@ void prepareDirectory(const fs::path& directory) {
 }
 
 SceneInput readWithWarnings(const Scene& scene) {
-  SceneInput input = readSceneInput(scene);
-  for (const std::string& warning : input.warnings) say("warning", warning);
-  return input;
+  return readSceneInput(scene, [](const std::string& warning) { say("warning", warning); });
 }
 
 /// What `ease check` prints: enough to see whether the scene is the one that was meant.

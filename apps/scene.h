@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -99,8 +100,12 @@ struct SceneInput {
   std::vector<std::string> warnings;  // one line each
 };
 
-/// Reads meshes and checks all that a run relies on; computes nothing else.  Throws InputError.
-SceneInput readSceneInput(const Scene& scene);
+/// What to do with a warning, one line.
+using Warn = std::function<void(const std::string&)>;
+
+/// Reads meshes and checks all that a run relies on; makes the garment that has tools.  Throws InputError.  `tell`: is
+/// given every warning as soon as it is known, since what follows may fail for the same reason.
+SceneInput readSceneInput(const Scene& scene, const Warn& tell = nullptr);
 
 /// The same garment, its vertices and triangles in another order; without what authoring alone knows.
 SceneInput renumbered(const SceneInput& input, const Numbering& numbering);

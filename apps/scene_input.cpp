@@ -6,10 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
-#include "apps/scene.h"
-#include "apps/words.h"
+#include "apps/pinned_vertices.h"
 #include "collision/mannequin.h"
 #include "collision/triangle_tree.h"
 #include "garment/builtin_garment.h"
@@ -28,6 +26,7 @@ constexpr double kLowestPerson = 0.4;          // m: a newborn, curled up
 constexpr double kTallestPerson = 2.6;         // m: arms raised
 constexpr double kFarthestGarment = 0.5;       // m from the body, at its nearest
 constexpr double kDeepestGarment = 0.001;      // m inside the body: less is the roundness of meshes
+constexpr double kLargestLimit = 0.5;          // of stretch: no cloth bears more, 1.08 for 8 % is a slip
 constexpr double kLeastProjectedGrain = 1e-6;  // of a unit grain, in a triangle's plane
 
 std::filesystem::path besideScene(const Scene& scene, const std::string& file) {
@@ -65,14 +64,13 @@ void checkBody(const TriangleMesh& mesh, const std::string& name) {
     throw InputError(fmt::format("{}: inside out: expected triangles counter-clockwise seen from outside", name));
 }
 
-void warnOfHeight(const Positions& pose, const std::string& name, std::vector<std::string>& warnings) {
+void warnOfHeight(const Positions& pose, const std::string& name, const Warn& warn) {
   const double height = pose.col(1).maxCoeff() - pose.col(1).minCoeff();
   if (height >= kLowestPerson && height <= kTallestPerson) return;
-  warnings.push_back(
-      fmt::format("{}: {:.3g} m tall along y: a person is not; units? metres expected, y up", name, height));
+  warn(fmt::format("{}: {:.4g} m tall along y: a person is not; units? metres expected, y up", name, height));
 }
 
-void readFilePoses(const Scene& scene, SceneInput& input) {
+void readFilePoses(const Scene& scene, const Warn& warn, SceneInput& input) {
   std::map<std::string, size_t> seen;  // poses that return are read once
   TriangleMesh first;
   std::string first_name;
@@ -95,7 +93,7 @@ void readFilePoses(const Scene& scene, SceneInput& input) {
       checkSameTriangles(first, first_name, pose, name);
     }
     checkBody(pose, name);
-    warnOfHeight(pose.positions, name, input.warnings);
+    warnOfHeight(pose.positions, name, warn);
     input.poses.push_back(std::move(pose.positions));
   }
   input.body_triangles = std::move(first.triangles);
@@ -116,48 +114,50 @@ void makeBuiltinPoses(const Scene& scene, SceneInput& input) {
   }
 }
 
-void readPoses(const Scene& scene, SceneInput& input) {
+void readPoses(const Scene& scene, const Warn& warn, SceneInput& input) {
   if (scene.body->builtin.empty()) {
-    readFilePoses(scene, input);
+    readFilePoses(scene, warn, input);
   } else {
     makeBuiltinPoses(scene, input);
   }
 }
 
+/// What `make` makes; what it refuses is said of the scene's [garment].
+template <class Make>
+auto ofGarment(const Scene& scene, const Make& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: [garment] {}", scene.file.string(), error.what()));
+  }
+}
+
 /// Reads or makes the garment; returns what to call it in messages.
-std::string readGarment(const Scene& scene, SceneInput& input) {
+std::string readGarment(const Scene& scene, const Warn& warn, SceneInput& input) {
   const GarmentScene& garment = scene.garment;
   if (garment.tools) {
-    try {
-      input.authored = authorGarment({input.poses.front(), input.body_triangles}, *garment.tools,
-                                     {scene.collision.offset, garment.comfort_regions});
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: [garment] {}", scene.file.string(), error.what()));
-    }
+    input.authored = ofGarment(scene, [&] {
+      return authorGarment({input.poses.front(), input.body_triangles}, *garment.tools,
+                           {scene.collision.offset, garment.comfort_regions});
+    });
+    const std::string name = scene.file.string() + ": [garment]";
+    for (const std::string& flaw : flawsOf(input.authored->quality)) warn(name + " as made: " + flaw);
     input.garment = input.authored->garment.mesh;
     input.offsets = input.authored->offsets;
-    return "garment";
+    return name;
   }
   if (!garment.builtin.empty()) {
     input.garment = builtinGarment(garment.builtin, garment.vertices, scene.collision.offset);
-    return garment.builtin;
+    return fmt::format("{}: [garment] builtin = '{}'", scene.file.string(), garment.builtin);
   }
   const std::filesystem::path file = besideScene(scene, garment.mesh);
   input.garment = readNamedMesh(scene, "[garment] mesh", garment.mesh);
   return file.string();
 }
 
-void paint(const Scene& scene, SceneInput& input) {
-  if (scene.garment.paint.empty()) return;
-  try {
-    input.paint = paintedScales(input.garment, scene.garment.paint);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: [garment] {}", scene.file.string(), error.what()));
-  }
-}
-
 /// Warp is the grain projected into each triangle; a triangle square to the grain would have none.
-void checkGrain(const TriangleMesh& garment, const Vec3& grain, const std::string& name) {
+void checkGrain(const Scene& scene, const TriangleMesh& garment) {
+  const Vec3& grain = scene.garment.grain;
   for (int t = 0; t < garment.triangles.rows(); ++t) {
     const Vec3 a = garment.positions.row(garment.triangles(t, 0));
     const Vec3 b = garment.positions.row(garment.triangles(t, 1));
@@ -165,9 +165,10 @@ void checkGrain(const TriangleMesh& garment, const Vec3& grain, const std::strin
     const Vec3 normal = doubleAreaNormal(a, b, c).normalized();
     if (normal.cross(grain).norm() >= kLeastProjectedGrain) continue;
     throw InputError(
-        fmt::format("{}: triangle {}: its normal is parallel to grain = [{:g}, {:g}, {:g}]: expected a grain "
-                    "that has a direction in every triangle",
-                    name, t, grain.x(), grain.y(), grain.z()));
+        fmt::format("{}: [garment] grain = [{:g}, {:g}, {:g}]: the normal of triangle {} of {} is parallel to it: "
+                    "expected a grain that has a direction in every triangle",
+                    scene.file.string(), grain.x(), grain.y(), grain.z(), t,
+                    scene.garment.mesh.empty() ? "the garment" : scene.garment.mesh));
   }
 }
 
@@ -209,73 +210,36 @@ void checkStart(const SceneInput& input, const std::string& garment_name) {
                     garment_name, distanceBetween(positions, body), pose, kFarthestGarment));
 }
 
-/// A loop by the name that it was authored with, or by where it lies.
-std::vector<int> loopNamed(const std::string& name, const SceneInput& input, const Topology& topology) {
-  if (!input.authored) return findLoop(topology, input.garment.positions, name);
-  std::vector<std::string> names;
-  for (const NamedLoop& loop : input.authored->garment.loops) {
-    if (loop.name == name) return loop.vertices;
-    names.push_back(loop.name);
-  }
-  throw InputError(fmt::format("loop = '{}': expected {}", name, listWords(names)));
-}
-
-std::vector<int> verticesIn(const Brush& ball, const Positions& positions) {
-  std::vector<int> vertices;
-  for (int v = 0; v < positions.rows(); ++v)
-    if ((Vec3(positions.row(v)) - ball.at).norm() <= ball.radius) vertices.push_back(v);
-  if (vertices.empty())
-    throw InputError(fmt::format("at = [{:g}, {:g}, {:g}], radius = {:g}: no vertex of the garment lies in this ball",
-                                 ball.at.x(), ball.at.y(), ball.at.z(), ball.radius));
-  return vertices;
-}
-
-std::vector<std::vector<int>> resolvePins(const Scene& scene, const SceneInput& input, const Topology& topology,
-                                          const std::string& garment_name) {
-  const TriangleMesh& garment = input.garment;
-  std::vector<std::vector<int>> pins;
-  std::set<int> pinned;
-  for (const PinScene& pin : scene.garment.pins) {
-    const std::string where = fmt::format("{}: [[garment.pin]] number {}", scene.file.string(), pins.size() + 1);
-    try {
-      if (const auto* loop = std::get_if<std::string>(&pin.what)) {
-        pins.push_back(loopNamed(*loop, input, topology));
-      } else if (const auto* ball = std::get_if<Brush>(&pin.what)) {
-        pins.push_back(verticesIn(*ball, garment.positions));
-      } else {
-        pins.push_back(std::get<std::vector<int>>(pin.what));
-      }
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", where, error.what()));
-    }
-    for (const int v : pins.back()) {
-      if (v >= garment.positions.rows())
-        throw InputError(fmt::format("{}: vertex {}: expected 0 to {}, the vertices of {}", where, v,
-                                     garment.positions.rows() - 1, garment_name));
-      if (!pinned.insert(v).second) throw InputError(fmt::format("{}: vertex {} is pinned twice", where, v));
-    }
-  }
-  return pins;
-}
-
 }  // namespace
 
-SceneInput readSceneInput(const Scene& scene) {
+SceneInput readSceneInput(const Scene& scene, const Warn& tell) {
   SceneInput input;
+  const Warn warn = [&](const std::string& warning) {
+    input.warnings.push_back(warning);
+    if (tell) tell(warning);
+  };
+  if (scene.adaption && scene.adaption->limit > kLargestLimit)
+    warn(
+        fmt::format("{}: [adaption] limit = {:g}: cloth stretched up to {:g} times its length stays as it is; 0.08 "
+                    "stands for 8 %",
+                    scene.file.string(), scene.adaption->limit, 1.0 + scene.adaption->limit));
   // A garment that is authored needs its body; otherwise its faults are told first.
-  if (scene.garment.tools) readPoses(scene, input);
-  const std::string name = readGarment(scene, input);
+  if (scene.garment.tools) readPoses(scene, warn, input);
+  const std::string name = readGarment(scene, warn, input);
   checkGeometry(input.garment, name);
   checkVerticesUsed(input.garment, name);
   const Topology topology = buildTopology(input.garment, name);
-  checkGrain(input.garment, scene.garment.grain, name);
-  input.pins = resolvePins(scene, input, topology, name);
+  checkGrain(scene, input.garment);
+  input.pins = pinnedVertices(scene, input, topology);
   if (!input.authored)
-    input.offsets = comfortOffsets(input.garment.positions, scene.collision.offset, scene.garment.comfort_regions);
-  paint(scene, input);
+    input.offsets = ofGarment(scene, [&] {
+      return comfortOffsets(input.garment.positions, scene.collision.offset, scene.garment.comfort_regions);
+    });
+  if (!scene.garment.paint.empty())
+    input.paint = ofGarment(scene, [&] { return paintedScales(input.garment, scene.garment.paint); });
 
   if (!scene.body) return input;
-  if (!scene.garment.tools) readPoses(scene, input);
+  if (!scene.garment.tools) readPoses(scene, warn, input);
   checkStart(input, name);
   return input;
 }

@@ -96,6 +96,7 @@ AuthoredGarment authorGarment(const TriangleMesh& body, const GarmentTools& tool
   result.offsets = comfortOffsets(result.garment.mesh.positions, comfort.offset, comfort.regions);
   result.held_vertices = moveClear(tree, result.offsets, result.garment);
   result.times.comfort_s = lap();
+  result.quality = meshQuality(result.garment.mesh, tree, result.offsets);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include "garment/brush.h"
 #include "garment/extension.h"
 #include "garment/looped_mesh.h"
+#include "garment/mesh_quality.h"
 #include "garment/seam.h"
 
 namespace ease {
@@ -32,6 +33,7 @@ struct AuthoredGarment {
   std::vector<double> offsets;     // comfort per vertex, m
   std::vector<int> body_triangle;  // per vertex, where it was on the body; -1 on an extension
   int held_vertices = 0;           // between parts of the body that leave less room than two offsets
+  MeshQuality quality;
   struct Times {
     double loops_s = 0.0, region_s = 0.0, extension_s = 0.0, remeshing_s = 0.0, seams_s = 0.0, comfort_s = 0.0;
     double total() const { return loops_s + region_s + extension_s + remeshing_s + seams_s + comfort_s; }

@@ -4,6 +4,8 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -84,6 +86,23 @@ int countSelfIntersections(const TriangleMesh& mesh) {
 }
 
 }  // namespace
+
+std::vector<std::string> flawsOf(const MeshQuality& quality) {
+  constexpr double kSmallestAngle = 5.0;  // degrees
+  std::vector<std::string> flaws;
+  if (quality.self_intersections > 0)
+    flaws.push_back(fmt::format("{} pair{} of its triangles cross{} each other", quality.self_intersections,
+                                quality.self_intersections == 1 ? "" : "s",
+                                quality.self_intersections == 1 ? "es" : ""));
+  if (quality.smallest_angle_deg < kSmallestAngle)
+    flaws.push_back(fmt::format("its smallest angle has {:.2g} degrees", quality.smallest_angle_deg));
+  if (quality.too_near > 0)
+    flaws.push_back(fmt::format(
+        "{} of its vertices, edge midpoints and centroids are nearer to the body than comfort asks for, the "
+        "nearest {:.2f} mm away",
+        quality.too_near, 1e3 * quality.nearest()));
+  return flaws;
+}
 
 MeshQuality meshQuality(const TriangleMesh& mesh, const TriangleTree& body, const std::vector<double>& offsets) {
   MeshQuality quality;

@@ -1,6 +1,8 @@
 // How good an authored mesh is: its triangles' shape and size, its distance to the body, whether it crosses itself.
 #pragma once
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "collision/triangle_tree.h"
@@ -15,8 +17,13 @@ struct MeshQuality {
   double shortest_edge_m = 0.0, mean_edge_m = 0.0, longest_edge_m = 0.0;
   int self_intersections = 0;  // pairs of triangles that cross
   double vertex_distance_m = 0.0, midpoint_distance_m = 0.0, centroid_distance_m = 0.0;  // least, to the body
+  double nearest() const { return std::min({vertex_distance_m, midpoint_distance_m, centroid_distance_m}); }
   int too_near = 0;  // vertices, midpoints and centroids nearer than the comfort offset by more than 0.01 mm
 };
+
+/// What speaks against a mesh, one line each; empty for a sound one: triangles that cross each other, angles below 5
+/// degrees, places nearer to the body than comfort asks for.
+std::vector<std::string> flawsOf(const MeshQuality& quality);
 
 /// `offsets`: comfort at every vertex, m.
 MeshQuality meshQuality(const TriangleMesh& mesh, const TriangleTree& body, const std::vector<double>& offsets);

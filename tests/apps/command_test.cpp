@@ -188,6 +188,7 @@ TEST_CASE("garment writes a made garment with its loops, seams and pieces") {
   CHECK(outcome.code == 0);
   CHECK(outcome.err.empty());
   CHECK_THAT(outcome.out, Contains("garment   ") && Contains("0 self-intersections") && Contains("pieces    2, with"));
+  CHECK_THAT(outcome.out, Contains("mm at least to the body, 5.00 mm asked for"));
   const std::filesystem::path made = directory.path / "made";
   for (const char* file :
        {"garment.obj", "garment.vtp", "body.obj", "garment.json", "pieces.obj", "pieces.vtp", "pieces.json"})

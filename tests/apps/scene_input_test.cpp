@@ -122,6 +122,26 @@ TEST_CASE("a pose of other size than a person's is warned of") {
   CHECK_THAT(input.warnings[0], Contains("second.obj: 170 m tall") && Contains("units?"));
 }
 
+TEST_CASE("a warning is told before what follows fails") {
+  const Files files;
+  files.write("first.obj", box(200.0, 0.0, 1700.0, true));
+  files.write("second.obj", box(200.0, 0.0, 1700.0, true));
+  const std::string toml = "[body]\nposes = ['first.obj', 'second.obj']\n[garment]\nmesh = 'tube.obj'\n";
+  std::vector<std::string> told;
+  const auto tell = [&](const std::string& warning) { told.push_back(warning); };
+  CHECK_THROWS_AS(readSceneInput(readScene(files.directory.write("scene.toml", toml)), tell), InputError);
+  REQUIRE(told.size() == 2);
+  CHECK_THAT(told[0], Contains("first.obj: 1700 m tall"));
+}
+
+TEST_CASE("a limit that was meant as a factor is warned of") {
+  const Files files;
+  CHECK(files.read("[adaption]\nlimit = 0.5\n").warnings.empty());
+  const SceneInput input = files.read("[adaption]\nlimit = 1.08\n");
+  REQUIRE(input.warnings.size() == 1);
+  CHECK_THAT(input.warnings[0], Contains("scene.toml: [adaption] limit = 1.08: cloth stretched up to 2.08 times"));
+}
+
 TEST_CASE("poses numbered differently are refused, or matched by their triangles") {
   const Files files;
   TriangleMesh renumbered = kBody;
@@ -162,7 +182,7 @@ TEST_CASE("a vertex without a triangle is refused") {
 
 TEST_CASE("a grain square to a triangle is refused") {
   CHECK_THAT(Files().errorOf("grain = [1, 0, 0]\n"),
-             Contains("tube.obj: triangle 2: its normal is parallel to grain = [1, 0, 0]"));
+             Contains("scene.toml: [garment] grain = [1, 0, 0]: the normal of triangle 2 of tube.obj is parallel"));
   CHECK_NOTHROW(Files().read("grain = [1, 1, 1]\n"));
 }
 

@@ -77,6 +77,13 @@ TEST_CASE("a garment that is made has its loops by name, offsets, paint and pins
   CHECK(*std::max_element(input.paint.begin(), input.paint.end()) > 1.1);
 }
 
+TEST_CASE("flaws of a garment that is made are warned of") {
+  CHECK(inputOf(kTube).warnings.empty());
+  const SceneInput input = inputOf(kTube + "[[garment.extension]]\nloop = 'hem'\nto = [0, 1.1, 0]\n");
+  REQUIRE_FALSE(input.warnings.empty());
+  CHECK_THAT(input.warnings[0], Contains("scene.toml: [garment] as made: ") && EndsWith("cross each other"));
+}
+
 TEST_CASE("a wrong tool is one line with what was expected") {
   const auto [more, message] = GENERATE(table<const char*, const char*>({
       {"[[garment.boundary]]\nname = 'top'\npoints = [[0, 0, 0]]\n", "name = 'top': expected a name that no other"},

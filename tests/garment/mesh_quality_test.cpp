@@ -39,10 +39,24 @@ TEST_CASE("every vertex, midpoint and centroid nearer than its offset is counted
   CHECK(meshQuality(square(0.019), body, std::vector<double>(4, 0.02)).too_near == 4 + 5 + 2);
 }
 
+TEST_CASE("flaws are told with their figures, and none of a sound mesh") {
+  const TriangleTree body(kBody.positions, kBody.triangles);
+  MeshQuality quality = meshQuality(square(0.02), body, std::vector<double>(4, 0.02));
+  CHECK(flawsOf(quality).empty());
+  quality.smallest_angle_deg = 3.21;
+  quality.too_near = 7;
+  quality.centroid_distance_m = 0.004;
+  CHECK(flawsOf(quality) ==
+        std::vector<std::string>{"its smallest angle has 3.2 degrees",
+                                 "7 of its vertices, edge midpoints and centroids are nearer to the body than comfort "
+                                 "asks for, the nearest 4.00 mm away"});
+}
+
 TEST_CASE("two triangles that cross are counted") {
   const TriangleTree body(kBody.positions, kBody.triangles);
   const TriangleMesh upright =
       bodies::meshOf({{0.05, 0.02, 0.01}, {0.09, 0.02, 0.01}, {0.07, 0.02, 0.06}}, {{0, 1, 2}});
   const MeshQuality quality = meshQuality(joined(square(0.03), upright), body, std::vector<double>(7, 0.001));
   CHECK(quality.self_intersections == 1);
+  CHECK(flawsOf(quality) == std::vector<std::string>{"1 pair of its triangles crosses each other"});
 }
