@@ -9,7 +9,7 @@
 #include <string>
 
 #include "solver/mesh/error.h"
-#include "viz/whole_file.h"
+#include "solver/mesh/whole_file.h"
 
 namespace ease {
 

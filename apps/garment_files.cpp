@@ -7,9 +7,9 @@
 
 #include "garment/pieces.h"
 #include "solver/mesh/mesh_io.h"
+#include "solver/mesh/whole_file.h"
 #include "viz/picture.h"
 #include "viz/vtp.h"
-#include "viz/whole_file.h"
 
 namespace ease {
 
@@ -128,14 +128,16 @@ std::string drawGarment(const SceneInput& input, const MeshQuality& quality, con
 
 }  // namespace
 
-std::string writeGarment(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory) {
+std::string writeGarment(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
+                         const std::atomic<bool>& interrupted) {
   const TriangleMesh body{input.poses.front(), input.body_triangles};
   const MeshQuality& quality = input.authored->quality;
+  writeWholeFile(directory / "garment.json", garmentJson(scene, input, quality).dump(1) + "\n");
   writeObj(directory / "garment.obj", input.garment);
   writeObj(directory / "body.obj", body);
   writeVtp(directory / "garment.vtp", input.garment.triangles, garmentFrame(input));
-  writeWholeFile(directory / "garment.json", garmentJson(scene, input, quality).dump(1) + "\n");
   std::string text = summaryOf(*input.authored);
+  if (interrupted) return text;
   const std::string reason = drawGarment(input, quality, directory);
   if (!reason.empty()) text += "no picture: " + reason + "\n";
   return text;

@@ -1,6 +1,7 @@
 // What `ease garment` writes of a garment that the scene's tools made.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <string>
 
@@ -10,8 +11,10 @@ namespace ease {
 
 /// Writes into `directory`, which exists: garment.obj; garment.vtp with the tools' work at every vertex and triangle;
 /// body.obj, the body that it was made on; garment.json with the loops' vertices, mesh quality and times; garment.png.
-/// Returns a few lines for people.  Throws ComputationError naming a file that could not be written.
-std::string writeGarment(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory);
+/// Returns a few lines for people.  No picture once `interrupted` is true.  Throws ComputationError naming a file that
+/// could not be written.
+std::string writeGarment(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
+                         const std::atomic<bool>& interrupted);
 
 /// Cuts the garment along its seams: pieces.obj, pieces.vtp with the number of every triangle's piece, and pieces.json
 /// with the vertex of the whole garment that every vertex is, to glue them together again.  Returns a line for people.

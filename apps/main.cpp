@@ -7,13 +7,17 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <iostream>
 #include <new>
 
 #include "apps/garment_files.h"
 #include "apps/job.h"
+#include "apps/result_directory.h"
 #include "apps/scene.h"
 #include "apps/timeline.h"
 #include "apps/words.h"
@@ -33,7 +37,8 @@ Examples:
   ease run scenes/t-shirt.toml                    results in results/t-shirt
   ease run scenes/t-shirt.toml -o out/shirt      results in out/shirt
   ease check scenes/t-shirt.toml                  reads and checks everything, computes nothing
-Every key of a scene, with its unit, is explained in scenes/t-shirt.toml.
+Every key of a scene, with its unit, is explained in scenes/t-shirt.toml; those of the tools that make a garment, in
+scenes/tunic.toml.
 Exit codes: 0 done, 1 wrong input, 2 the computation failed, 130 interrupted.)";
 
 constexpr const char* kRunExamples = R"(
@@ -70,17 +75,6 @@ void onSignal(int) {
 
 void say(const char* kind, const std::string& line) {
   fmt::print(stderr, "ease: {}: {}\n", kind, line);
-}
-
-/// Makes the directory and a file in it, so that a run does not end with nowhere to write to.
-void prepareDirectory(const fs::path& directory) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw InputError(fmt::format("{}: cannot make this directory: {}", directory.string(), error.message()));
-  const fs::path probe = directory / fmt::format(".writable-{}", ::getpid());
-  const bool writable = static_cast<bool>(std::ofstream(probe) << '\n' << std::flush);
-  fs::remove(probe, error);
-  if (!writable) throw InputError(fmt::format("{}: cannot write into this directory", directory.string()));
 }
 
 SceneInput readWithWarnings(const Scene& scene) {
@@ -123,6 +117,11 @@ ExitCode interruptedBeforeWriting() {
   return kInterrupted;
 }
 
+ExitCode interruptedIn(const fs::path& directory) {
+  say("interrupted", fmt::format("what was written until then is in {}", directory.string()));
+  return kInterrupted;
+}
+
 ExitCode checkCommand(const Arguments& arguments) {
   const Scene scene = readScene(arguments.scene);
   const SceneInput input = readWithWarnings(scene);
@@ -144,9 +143,11 @@ ExitCode garmentCommand(const Arguments& arguments) {
   const SceneInput input = readWithWarnings(scene);
   if (interrupted) return interruptedBeforeWriting();
   const fs::path directory = directoryOf(arguments, scene);
-  prepareDirectory(directory);
-  fmt::print("{}", writeGarment(scene, input, directory));
-  if (arguments.pieces) fmt::print("{}", writePieces(input, directory));
+  const ResultDirectory made(directory);
+  made.removeOldGarment(scene);
+  fmt::print("{}", writeGarment(scene, input, directory, interrupted));
+  if (arguments.pieces && !interrupted) fmt::print("{}", writePieces(input, directory));
+  if (interrupted) return interruptedIn(directory);
   fmt::print("results   {}\n", directory.string());
   return kDone;
 }
@@ -165,15 +166,15 @@ ExitCode runCommand(const Arguments& arguments) {
     if (interrupted) return interruptedBeforeWriting();
     std::optional<Checkpoint> from;
     if (!arguments.resumed.empty()) from = checkpointIn(arguments.resumed, scene, input);
-    prepareDirectory(directory);
-    if (input.authored) writeGarment(scene, input, directory);
+    const ResultDirectory made(directory);
+    made.removeOldGarment(scene);
+    if (input.authored) writeGarment(scene, input, directory, interrupted);
     try {
       if (runScene(scene, input, directory, interrupted, from)) return kDone;
     } catch (const ComputationError& error) {
       throw ComputationError(fmt::format("{}; what was written until then is in {}", error.what(), directory.string()));
     }
-    say("interrupted", fmt::format("what was written until then is in {}", directory.string()));
-    return kInterrupted;
+    return interruptedIn(directory);
   });
 }
 
@@ -198,12 +199,30 @@ ExitCode wrongUsage(const std::string& line) {
   return kWrongInput;
 }
 
+/// What an unknown word of the line is, and what was probably meant.
+std::string unknownText(const CLI::App& app, const std::string& word) {
+  const bool is_option = word.front() == '-', has_command = !app.get_subcommands().empty();
+  std::vector<std::string> known = {"run", "check", "garment"};
+  if (is_option || has_command) known.clear();
+  if (is_option)
+    for (const CLI::Option* option : (has_command ? app.get_subcommands().front() : &app)->get_options())
+      if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
+  const std::string nearest = nearestWord(word, known);
+  return fmt::format("unknown {} '{}'{}",
+                     is_option     ? "option"
+                     : has_command ? "argument"
+                                   : "command",
+                     word, nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest));
+}
+
 ExitCode commandLine(int argc, char** argv) {
   CLI::App app("Ease fits a garment to a moving body: poses and a garment in, a rest shape that fits every pose out.",
                "ease");
   app.footer(kExamples);
   app.set_version_flag("--version", "ease " EASE_VERSION, "Print the version and end");
   app.set_help_flag("-h,--help", "Print this help and end");
+  app.require_subcommand(0, 1);
+  app.allow_extras();  // commands too: what is unknown is named below, in the order of the line
 
   Arguments arguments;
   CLI::App* run = app.add_subcommand("run", "Simulate and adapt; write series, rest shape, report and picture");
@@ -227,24 +246,25 @@ ExitCode commandLine(int argc, char** argv) {
   garment->add_flag("--pieces", arguments.pieces, "Cut it along its seams as well: pieces.obj, .vtp, .json");
   garment->footer(kGarmentExamples);
 
-  app.require_subcommand(0, 1);
-  app.allow_extras();  // an unknown command is named below; CLI11 would only say that one is missing
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return static_cast<ExitCode>(app.exit(error));  // --help, --version
     return wrongUsage(error.what());
   }
-  if (!app.remaining().empty()) {
-    const std::string word = app.remaining().front(), nearest = nearestWord(word, {"run", "check", "garment"});
-    const char* kind = word.front() == '-' ? "option" : !app.get_subcommands().empty() ? "argument" : "command";
-    return wrongUsage(fmt::format("unknown {} '{}'{}", kind, word,
-                                  nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest)));
-  }
+  if (const auto unknown = app.remaining(true); !unknown.empty()) return wrongUsage(unknownText(app, unknown.front()));
   if (run->parsed()) return guarded([&] { return runCommand(arguments); });
   if (check->parsed()) return guarded([&] { return checkCommand(arguments); });
   if (garment->parsed()) return guarded([&] { return garmentCommand(arguments); });
   return wrongUsage("no command: expected 'run', 'garment' or 'check'");
+}
+
+/// Whether all that was printed has arrived; says so if not.
+bool isPrinted() {
+  errno = 0;
+  if (std::cout.flush() && std::fflush(stdout) == 0 && !std::ferror(stdout)) return true;
+  say("error", fmt::format("standard output: {}", errno != 0 ? std::strerror(errno) : "cannot be written"));
+  return false;
 }
 
 }  // namespace
@@ -255,5 +275,6 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, ease::onSignal);
   std::signal(SIGTERM, ease::onSignal);
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of writing it
-  return ease::guarded([&] { return ease::commandLine(argc, argv); });
+  const ease::ExitCode code = ease::guarded([&] { return ease::commandLine(argc, argv); });
+  return ease::isPrinted() ? code : ease::kFailed;
 }

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <fstream>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "solver/mesh/error.h"
+#include "solver/mesh/whole_file.h"
 
 namespace ease {
 
@@ -138,17 +138,7 @@ void StretchRecord::measured(const StretchStatistics& moment) {
 }
 
 void writeReport(const Report& report, const Scene& scene, const std::filesystem::path& directory) {
-  const std::filesystem::path file = directory / "report.json", temporary = directory / "report.json.part";
-  {
-    std::ofstream out(temporary);
-    out << toJson(report, scene).dump(2) << '\n';
-    out.close();
-    if (!out) throw ComputationError(fmt::format("{}: cannot be written", file.string()));
-  }
-  std::error_code error;
-  std::filesystem::rename(temporary, file, error);
-  if (error) std::filesystem::remove(temporary);
-  if (error) throw ComputationError(fmt::format("{}: {}", file.string(), error.message()));
+  writeWholeFile(directory / "report.json", toJson(report, scene).dump(2) + "\n");
 }
 
 std::vector<std::string> depthWarnings(const Report& report) {

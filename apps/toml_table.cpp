@@ -113,12 +113,13 @@ TomlTable TomlTable::read(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file, ignored)) throw InputError(fmt::format("{}: no such scene file", file.string()));
   std::ifstream in(file, std::ios::binary);
   std::ostringstream content;
+  if (std::filesystem::file_size(file, ignored) == 0)
+    throw InputError(fmt::format("{}: is empty: expected a scene, with a table [garment]", file.string()));
   if (std::filesystem::is_directory(file, ignored) || !in || !(content << in.rdbuf()))
     throw InputError(fmt::format("{}: cannot be read as a scene file", file.string()));
   try {
     auto root = std::make_shared<const toml::table>(toml::parse(content.str(), file.string()));
-    const toml::table* table = root.get();
-    return TomlTable(std::make_shared<const Data>(Data{std::move(root), table, file.string(), "", false}));
+    return TomlTable(std::make_shared<const Data>(Data{root, root.get(), file.string(), "", false}));
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
   }
@@ -292,7 +293,7 @@ void TomlTable::refuse(std::string_view key, const std::string& expected) const 
   if (!node)
     throw InputError(
         fmt::format("{}{}{} is missing: expected {}", data_->place(*data_->table), data_->label(), key, expected));
-  const std::string value = node->is_table() ? "" : " = " + valueText(*node);
+  const std::string value = node->is_table() || node->is_array_of_tables() ? "" : " = " + valueText(*node);
   throw InputError(fmt::format("{}{}{}{}: expected {}", data_->place(*node), data_->label(), key, value, expected));
 }
 

@@ -24,11 +24,11 @@
 #include <string_view>
 
 #include "solver/mesh/error.h"
+#include "solver/mesh/whole_file.h"
 #include "viz/color_scale.h"
 #include "viz/offscreen.h"
 #include "viz/overlay.h"
 #include "viz/poly_data.h"
-#include "viz/whole_file.h"
 
 namespace ease {
 

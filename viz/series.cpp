@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "solver/mesh/error.h"
-#include "viz/whole_file.h"
+#include "solver/mesh/whole_file.h"
 
 namespace ease {
 

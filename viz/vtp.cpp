@@ -12,8 +12,8 @@
 #include <algorithm>
 
 #include "solver/mesh/error.h"
+#include "solver/mesh/whole_file.h"
 #include "viz/poly_data.h"
-#include "viz/whole_file.h"
 
 namespace ease {
 

@@ -12,6 +12,7 @@
 #include "solver/mesh/error.h"
 #include "solver/mesh/mesh_checks.h"
 #include "solver/mesh/mesh_readers.h"
+#include "solver/mesh/whole_file.h"
 
 namespace ease {
 namespace {
@@ -92,17 +93,7 @@ void writeObj(const fs::path& file, const TriangleMesh& mesh) {
     const auto v = mesh.triangles.row(t);
     fmt::format_to(std::back_inserter(text), "f {} {} {}\n", v[0] + 1, v[1] + 1, v[2] + 1);
   }
-  const fs::path unfinished = file.string() + ".part";
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
-  std::error_code error;
-  if (stream) fs::rename(unfinished, file, error);
-  if (!stream || error) {
-    std::error_code ignored;
-    fs::remove(unfinished, ignored);
-    throw ComputationError(fmt::format("{}: cannot be written", file.string()));
-  }
+  writeWholeFile(file, {text.data(), text.size()});
 }
 
 }  // namespace ease

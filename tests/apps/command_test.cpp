@@ -29,7 +29,7 @@ std::string contentOf(const std::filesystem::path& file) {
 /// Runs `ease ARGUMENTS` in `directory`, started by `launcher` (a command in front of it).
 Outcome runEase(const TemporaryDirectory& directory, const std::string& arguments, const std::string& launcher = "") {
   const std::string in = "cd '" + directory.path.string() + "' && ";
-  const int status = std::system((in + launcher + "'" EASE_COMMAND "' " + arguments + " >out 2>err").c_str());
+  const int status = std::system((in + launcher + "'" EASE_COMMAND "' >out 2>err " + arguments).c_str());
   REQUIRE(WIFEXITED(status));
   return {WEXITSTATUS(status), contentOf(directory.path / "out"), contentOf(directory.path / "err")};
 }
@@ -67,6 +67,18 @@ TEST_CASE("every command has its help") {
   CHECK_THAT(runEase("check --help").out, Contains("SCENE") && Contains("Example:"));
 }
 
+TEST_CASE("an output that takes nothing is an error") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 4);
+  for (const std::string arguments : {"--help", "--version", "check hang.toml", "run hang.toml"}) {
+    INFO(arguments);
+    const Outcome outcome = runEase(directory, arguments + " >/dev/full");
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.err, StartsWith("ease: error: standard output: "));
+    CHECK(isOneLine(outcome.err));
+  }
+}
+
 TEST_CASE("the version is printed") {
   const Outcome outcome = runEase("--version");
   CHECK(outcome.code == 0);
@@ -80,9 +92,11 @@ TEST_CASE("misuse of the command line is one line and exit code 1") {
       {"--fast", "unknown option '--fast'"},
       {"run", "SCENE is required"},
       {"run x.toml --threads many", "--threads"},
+      {"run x.toml --treads 1", "unknown option '--treads', did you mean '--threads'?"},
+      {"run --treads 1 x.toml", "unknown option '--treads', did you mean '--threads'?"},
       {"run x.toml --threads -2", "--threads"},
-      {"run x.toml y.toml", "y.toml"},
-      {"check x.toml -o out", "-o"},
+      {"run x.toml y.toml", "unknown argument 'y.toml'"},
+      {"check x.toml -o out", "unknown option '-o'"},
   }));
   const Outcome outcome = runEase(arguments);
   INFO(arguments);
@@ -195,7 +209,13 @@ TEST_CASE("garment writes a made garment with its loops, seams and pieces") {
     CHECK(std::filesystem::file_size(made / file) > 0);
   CHECK_THAT(contentOf(made / "garment.json"), Contains("\"name\": \"hem\"") && Contains("\"name\": \"left\""));
 
+  REQUIRE(runEase(directory, "garment tube.toml -o made").code == 0);
+  CHECK(std::filesystem::exists(made / "garment.obj"));
+  CHECK_FALSE(std::filesystem::exists(made / "pieces.obj"));  // of the garment before
   writeHangingCloth(directory, 1);
+  REQUIRE(runEase(directory, "run hang.toml -o made").code == 0);
+  for (const char* file : {"garment.obj", "garment.vtp", "garment.json", "garment.png", "body.obj"})
+    CHECK_FALSE(std::filesystem::exists(made / file));
   const Outcome none = runEase(directory, "garment hang.toml");
   CHECK(none.code == 1);
   CHECK_THAT(none.err, StartsWith("ease: error: hang.toml: [garment] has no [[garment.boundary]]") && EndsWith("\n"));

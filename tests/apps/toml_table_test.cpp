@@ -89,6 +89,8 @@ TEST_CASE("a file that is missing or is not TOML is refused in one line") {
   CHECK_THAT(messageOf<InputError>([&] { readScene(directory.path / "none.toml"); }),
              EndsWith("none.toml: no such scene file"));
   CHECK_THAT(messageOf<InputError>([&] { readScene(directory.path); }), EndsWith("cannot be read as a scene file"));
+  CHECK(errorOf("") == "scene.toml: is empty: expected a scene, with a table [garment]");
+  CHECK_THAT(errorOf("# nothing yet\n"), Contains("garment is missing: expected a table [garment]"));
   CHECK_THAT(errorOf("name = 'a'\nname = 'b'\n"), StartsWith("scene.toml:2: not TOML: "));
   CHECK_THAT(errorOf("\n\n[body\n"), StartsWith("scene.toml:3: not TOML: "));
 }

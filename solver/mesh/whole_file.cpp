@@ -1,4 +1,4 @@
-#include "viz/whole_file.h"
+#include "solver/mesh/whole_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

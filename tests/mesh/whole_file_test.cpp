@@ -1,14 +1,15 @@
-#include "viz/whole_file.h"
+#include "solver/mesh/whole_file.h"
 
+#include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
 #include "solver/mesh/error.h"
-#include "tests/viz/fixtures.h"
+#include "tests/apps/temporary_directory.h"
 
 namespace fs = std::filesystem;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 namespace {
 
@@ -21,14 +22,14 @@ std::string contents(const fs::path& file) {
 }  // namespace
 
 TEST_CASE("a whole file holds every byte written, and no other of what was there before") {
-  const test::Directory directory;
-  const fs::path file = directory.path() / "frame.vtp";
+  const ease::TemporaryDirectory directory;
+  const fs::path file = directory.path / "frame.vtp";
   const std::string bytes("a\0b\r\n\xff", 6);
   for (const std::string& written : {std::string(100'000, 'x'), bytes, std::string()}) {
     ease::writeWholeFile(file, written);
     CHECK(contents(file) == written);
   }
-  CHECK(std::distance(fs::directory_iterator(directory.path()), {}) == 1);
+  CHECK(std::distance(fs::directory_iterator(directory.path), {}) == 1);
 }
 
 TEST_CASE("the temporary name is the file's own and another, in the same folder") {
@@ -36,8 +37,8 @@ TEST_CASE("the temporary name is the file's own and another, in the same folder"
 }
 
 TEST_CASE("what an interrupted run left under the temporary name is no hindrance") {
-  const test::Directory directory;
-  const fs::path file = directory.path() / "frame.vtp";
+  const ease::TemporaryDirectory directory;
+  const fs::path file = directory.path / "frame.vtp";
   std::ofstream(ease::temporaryName(file)) << "cut short, and longer than what follows";
   ease::writeWholeFile(file, "whole");
   CHECK(contents(file) == "whole");
@@ -45,8 +46,8 @@ TEST_CASE("what an interrupted run left under the temporary name is no hindrance
 }
 
 TEST_CASE("a file that cannot be written is an error with its name and the reason, and leaves nothing behind") {
-  const test::Directory directory;
-  const fs::path gone = directory.path() / "gone" / "frame.vtp", folder = directory.path() / "folder";
+  const ease::TemporaryDirectory directory;
+  const fs::path gone = directory.path / "gone" / "frame.vtp", folder = directory.path / "folder";
   CHECK_THROWS_AS(ease::writeWholeFile(gone, "bytes"), ease::ComputationError);
   CHECK_THROWS_WITH(ease::writeWholeFile(gone, "bytes"),
                     "cannot write " + gone.string() + ": No such file or directory");

@@ -1,0 +1,73 @@
+#include "apps/result_directory.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "solver/mesh/error.h"
+
+namespace ease {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// garment.json last: where it is, the others are Ease's own.
+constexpr std::array kGarmentFiles = {"garment.obj", "garment.vtp", "garment.png", "body.obj",
+                                      "pieces.obj",  "pieces.vtp",  "pieces.json", "garment.json"};
+
+bool reads(const Scene& scene, const fs::path& file) {
+  const auto isFile = [&](const std::string& named) {
+    std::error_code none;
+    return !named.empty() && fs::equivalent(scene.file.parent_path() / named, file, none);
+  };
+  if (isFile(scene.garment.mesh)) return true;
+  return scene.body && scene.body->builtin.empty() &&
+         std::any_of(scene.body->poses.begin(), scene.body->poses.end(), isFile);
+}
+
+}  // namespace
+
+ResultDirectory::ResultDirectory(const fs::path& path) : path_(path) {
+  std::error_code error;
+  for (fs::path part = fs::absolute(path).lexically_normal(); !part.empty() && !fs::exists(part, error);
+       part = part.parent_path())
+    made_.push_back(part);
+  fs::create_directories(path, error);
+  if (error) {
+    removeEmpty();
+    throw InputError(fmt::format("{}: cannot make this directory: {}", path.string(), error.message()));
+  }
+  const fs::path probe = path / fmt::format(".writable-{}", ::getpid());
+  errno = 0;
+  const bool writable = static_cast<bool>(std::ofstream(probe) << '\n' << std::flush);
+  const int reason = errno;
+  fs::remove(probe, error);
+  if (writable) return;
+  removeEmpty();
+  throw InputError(fmt::format("{}: cannot write into this directory: {}", path.string(), std::strerror(reason)));
+}
+
+ResultDirectory::~ResultDirectory() {
+  removeEmpty();
+}
+
+void ResultDirectory::removeEmpty() const {
+  std::error_code not_empty;
+  for (const fs::path& directory : made_) fs::remove(directory, not_empty);
+}
+
+void ResultDirectory::removeOldGarment(const Scene& scene) const {
+  if (!fs::exists(path_ / kGarmentFiles.back())) return;
+  const auto isRead = [&](const char* name) { return reads(scene, path_ / name); };
+  if (std::any_of(kGarmentFiles.begin(), kGarmentFiles.end(), isRead)) return;
+  std::error_code is_directory;  // then writing tells
+  for (const char* name : kGarmentFiles) fs::remove(path_ / name, is_directory);
+}
+
+}  // namespace ease
