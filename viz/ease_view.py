@@ -234,7 +234,10 @@ def main():
 
 
 if __name__ == "__main__":
-    from paraview import simple
+    try:
+        from paraview import simple
+    except ImportError as error:
+        sys.exit(f"ease_view: {error}: this is for ParaView's own Python, pvpython, not {sys.executable}")
 
     IN_WINDOW = not sys.argv[0]  # ParaView's own window gives a script no command line, and must not be ended
     try:
