@@ -143,16 +143,17 @@ std::string writeGarment(const Scene& scene, const SceneInput& input, const std:
   return text;
 }
 
-std::string writePieces(const SceneInput& input, const std::filesystem::path& directory) {
-  const Pieces pieces = cutIntoPieces(input.garment, input.authored->seams);
+std::string writePieces(const TriangleMesh& garment, const std::vector<Seam>& seams,
+                        const std::filesystem::path& directory, const std::string& name) {
+  const Pieces pieces = cutIntoPieces(garment, seams);
   const NamedArray piece{"piece", 1, {pieces.piece.begin(), pieces.piece.end()}};
   const NamedArray glue{"garment_vertex", 1, {pieces.glue.begin(), pieces.glue.end()}};
-  writeObj(directory / "pieces.obj", pieces.mesh);
-  writeVtp(directory / "pieces.vtp", pieces.mesh.triangles, {pieces.mesh.positions, {glue}, {piece}});
+  writeObj(directory / (name + ".obj"), pieces.mesh);
+  writeVtp(directory / (name + ".vtp"), pieces.mesh.triangles, {pieces.mesh.positions, {glue}, {piece}});
   const Json json = {{"pieces", pieces.count}, {"garment_vertex", pieces.glue}, {"piece_of_triangle", pieces.piece}};
-  writeWholeFile(directory / "pieces.json", json.dump() + "\n");
+  writeWholeFile(directory / (name + ".json"), json.dump() + "\n");
   return fmt::format("pieces    {}, with {} vertices more than the garment\n", pieces.count,
-                     pieces.mesh.positions.rows() - input.garment.positions.rows());
+                     pieces.mesh.positions.rows() - garment.positions.rows());
 }
 
 }  // namespace ease

@@ -16,8 +16,10 @@ namespace ease {
 std::string writeGarment(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
                          const std::atomic<bool>& interrupted);
 
-/// Cuts the garment along its seams: pieces.obj, pieces.vtp with the number of every triangle's piece, and pieces.json
-/// with the vertex of the whole garment that every vertex is, to glue them together again.  Returns a line for people.
-std::string writePieces(const SceneInput& input, const std::filesystem::path& directory);
+/// Cuts the garment, or its rest shape, along the seams: NAME.obj, NAME.vtp with the number of every triangle's piece,
+/// and NAME.json with the vertex of the whole garment that every vertex is, to glue them together again.  Returns a
+/// line for people.
+std::string writePieces(const TriangleMesh& garment, const std::vector<Seam>& seams,
+                        const std::filesystem::path& directory, const std::string& name);
 
 }  // namespace ease

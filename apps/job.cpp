@@ -8,6 +8,7 @@
 #include "adaption/clip.h"
 #include "adaption/stitch.h"
 #include "apps/frames.h"
+#include "apps/garment_files.h"
 #include "apps/progress.h"
 #include "apps/report.h"
 #include "apps/run.h"
@@ -89,8 +90,9 @@ class Job {
   /// Those of an earlier run that this one may not write again.
   void removeOldResults() const {
     if (!from_) std::filesystem::remove(directory_ / kCheckpoint);
-    for (const char* name : {"report.json", "stretch.png", "stretch_first_pose.png", "garment.pvd", "body.pvd",
-                             "rest.pvd", "rest_shape.obj", "rest_shape.vtp"}) {
+    for (const char* name :
+         {"report.json", "stretch.png", "stretch_first_pose.png", "garment.pvd", "body.pvd", "rest.pvd",
+          "rest_shape.obj", "rest_shape.vtp", "rest_pieces.obj", "rest_pieces.vtp", "rest_pieces.json"}) {
       if (std::filesystem::is_directory(directory_ / name))
         throw InputError(
             fmt::format("{}: is a directory: a result of that name is to be written", (directory_ / name).string()));
@@ -152,6 +154,8 @@ class Job {
       const Frame rest = restored(restFrame(*cloth_, first_areas_), numbering_);
       writeObj(directory_ / "rest_shape.obj", {rest.positions, given_.garment.triangles});
       writeVtp(directory_ / "rest_shape.vtp", given_.garment.triangles, rest);
+      if (given_.authored && !given_.authored->seams.empty())
+        writePieces({rest.positions, given_.garment.triangles}, given_.authored->seams, directory_, "rest_pieces");
     };
     try {
       runMotion(scene_, input_, body(), *cloth_, run_options, state_, report_.run);

@@ -146,7 +146,8 @@ ExitCode garmentCommand(const Arguments& arguments) {
   const ResultDirectory made(directory);
   made.removeOldGarment(scene);
   fmt::print("{}", writeGarment(scene, input, directory, interrupted));
-  if (arguments.pieces && !interrupted) fmt::print("{}", writePieces(input, directory));
+  if (arguments.pieces && !interrupted)
+    fmt::print("{}", writePieces(input.garment, input.authored->seams, directory, "pieces"));
   if (interrupted) return interruptedIn(directory);
   fmt::print("results   {}\n", directory.string());
   return kDone;

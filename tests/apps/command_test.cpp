@@ -209,12 +209,20 @@ TEST_CASE("garment writes a made garment with its loops, seams and pieces") {
     CHECK(std::filesystem::file_size(made / file) > 0);
   CHECK_THAT(contentOf(made / "garment.json"), Contains("\"name\": \"hem\"") && Contains("\"name\": \"left\""));
 
+  directory.write("run.toml", tube + "[solver]\nsteps_per_pose = 1\n[adaption]\nverify = false\n");
+  REQUIRE(runEase(directory, "run run.toml -o made").code == 0);
+  const std::string pieces = contentOf(made / "rest_pieces.json");
+  CHECK_THAT(pieces, StartsWith("{\"pieces\":2,"));
+  CHECK(std::filesystem::file_size(made / "rest_pieces.obj") > std::filesystem::file_size(made / "rest_shape.obj"));
+  CHECK(std::filesystem::file_size(made / "rest_pieces.vtp") > 0);
+
   REQUIRE(runEase(directory, "garment tube.toml -o made").code == 0);
   CHECK(std::filesystem::exists(made / "garment.obj"));
   CHECK_FALSE(std::filesystem::exists(made / "pieces.obj"));  // of the garment before
   writeHangingCloth(directory, 1);
   REQUIRE(runEase(directory, "run hang.toml -o made").code == 0);
-  for (const char* file : {"garment.obj", "garment.vtp", "garment.json", "garment.png", "body.obj"})
+  for (const char* file :
+       {"garment.obj", "garment.vtp", "garment.json", "garment.png", "body.obj", "rest_pieces.obj", "rest_pieces.json"})
     CHECK_FALSE(std::filesystem::exists(made / file));
   const Outcome none = runEase(directory, "garment hang.toml");
   CHECK(none.code == 1);
