@@ -50,7 +50,7 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     ++summary.iterations;
     if (!ok) throw ComputationError("the linear system of the step is not positive definite");
     const double slope = dot(point.gradient, direction_), length = relativeLength(potential, point, direction_);
-    const int halvings = searchAlong(potential, fixed, point, direction_, next_);
+    const int halvings = searchAlong(potential, fixed, point, direction_, slope, next_);
     if (halvings < 0) {
       const bool lost = -slope <= potential.roundOff(point.x, point.energy);  // the promised decrease, in rounding
       if (!lost) throw ComputationError("no decrease of the potential along the step");

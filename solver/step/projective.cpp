@@ -65,7 +65,7 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
   }
   if (same) return false;
 
-  if (fixed_ != fixed) pair_count_ = 0;  // what was remembered moves vertices that are pinned now
+  if (fixed_ != fixed) pairs_.clear();  // what was remembered moves vertices that are pinned now
   rest_revision_ = cloth.restRevision();
   h_ = h;
   weights_ = weights;
@@ -85,39 +85,18 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
   return true;
 }
 
-// Two loops of Nocedal (1980).  Returns the slope, gradient . direction.
-double Projective::direct(const Positions& gradient, bool accelerated) {
-  direction_ = -gradient;
-  const auto pair = [&](int k) -> const Pair& { return pairs_[(newest_ - k + kPairs) % kPairs]; };  // k-th newest
-  const int count = accelerated ? pair_count_ : 0;
-  for (int k = 0; k < count; ++k) {
-    alpha_[k] = pair(k).inverse * dot(pair(k).s, direction_);
-    direction_ -= alpha_[k] * pair(k).y;
-  }
+/// The next correction; returns its slope, gradient . direction.
+double Projective::direct(const Positions& gradient) {
+  pairs_.bend(gradient, direction_);
   system_.solveRounded(direction_, direction_);
-  for (int k = count - 1; k >= 0; --k) {
-    const double beta = pair(k).inverse * dot(pair(k).y, direction_);
-    direction_ += (alpha_[k] - beta) * pair(k).s;
-  }
-  return dot(gradient, direction_);
-}
-
-void Projective::remember(const Point& from, const Point& to) {
-  const int next = (newest_ + 1) % kPairs;
-  Pair& pair = pairs_[next];
-  pair.s = to.x - from.x;
-  pair.y = to.gradient - from.gradient;
-  const double curvature = dot(pair.s, pair.y);
-  if (!(curvature > 1e-10 * std::sqrt(dot(pair.s, pair.s) * dot(pair.y, pair.y)))) return;
-  pair.inverse = 1.0 / curvature;
-  newest_ = next;
-  pair_count_ = std::min(kPairs, pair_count_ + 1);
+  return pairs_.bendBack(gradient, direction_);
 }
 
 MinimiserSummary Projective::minimise(IncrementalPotential& potential, const std::vector<char>& fixed,
                                       const StopRule& stop, bool accelerated, Point& point) {
   MinimiserSummary summary;
   decrements_.clear();
+  if (!accelerated) pairs_.clear();
   if (prepare(potential, fixed, accelerated, point.x)) {
     ++summary.factorisations;
   }
@@ -126,10 +105,10 @@ MinimiserSummary Projective::minimise(IncrementalPotential& potential, const std
       summary.converged = true;
       break;
     }
-    double slope = direct(point.gradient, accelerated);
+    double slope = direct(point.gradient);
     if (!(slope < 0.0)) {
-      pair_count_ = 0;
-      slope = direct(point.gradient, false);
+      pairs_.clear();
+      slope = direct(point.gradient);
       if (!(slope < 0.0)) break;
     }
     if (stop.error > 0.0) {
@@ -137,14 +116,14 @@ MinimiserSummary Projective::minimise(IncrementalPotential& potential, const std
       summary.converged = estimatedError(decrements_) <= stop.error;
       if (summary.converged || isHopeless(decrements_, stop)) break;
     }
-    const int halvings = searchAlong(potential, fixed, point, direction_, next_);
+    const int halvings = searchAlong(potential, fixed, point, direction_, slope, next_);
     if (halvings < 0) {
-      if (pair_count_ == 0) break;
-      pair_count_ = 0;  // what was remembered misleads
+      if (pairs_.empty()) break;
+      pairs_.clear();  // what was remembered misleads
       continue;
     }
     summary.halvings += halvings;
-    if (accelerated) remember(point, next_);
+    if (accelerated) pairs_.remember(point.x, point.gradient, next_.x, next_.gradient);
     std::swap(point, next_);
   }
   return summary;
