@@ -7,7 +7,9 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <string_view>
 
+#include "apps/fingerprint.h"
 #include "solver/mesh/error.h"
 #include "viz/whole_file.h"
 
@@ -15,7 +17,10 @@ namespace ease {
 
 namespace {
 
-constexpr char kMagic[] = "ease checkpoint 2\n";
+constexpr std::string_view kKind = "ease checkpoint ", kVersion = "3\n";
+
+// A file is kind, version, the fingerprint of all that follows, and the members.
+constexpr size_t kHeader = kKind.size() + kVersion.size() + sizeof(std::uint64_t);
 
 /// Appends to, or takes from, a string of bytes: one list of members serves both ways.
 struct Writer {
@@ -86,26 +91,31 @@ void members(Bytes& bytes, C& c) {
 }  // namespace
 
 void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint) {
-  Writer writer;
-  writer.bytes = kMagic;
-  members(writer, checkpoint);
-  writeWholeFile(file, writer.bytes);
+  Writer header, content;
+  members(content, checkpoint);
+  header.bytes.append(kKind).append(kVersion);
+  header.number(fingerprint(content.bytes.data(), content.bytes.size()));
+  writeWholeFile(file, header.bytes + content.bytes);
 }
 
 Checkpoint readCheckpoint(const std::filesystem::path& file) {
+  const auto refuse = [&](const char* why) { throw InputError(fmt::format("{}: {}", file.string(), why)); };
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(fmt::format("{}: cannot be read: expected the directory of an earlier run", file.string()));
+  if (!in) refuse("cannot be read");
   std::ostringstream content;
   content << in.rdbuf();
   const std::string bytes = content.str();
-  if (!bytes.starts_with(kMagic)) throw InputError(fmt::format("{}: is no checkpoint of this version", file.string()));
-  Reader reader{bytes, sizeof kMagic - 1};
+  if (!bytes.starts_with(kKind)) refuse("is no checkpoint");
+  if (!bytes.substr(kKind.size()).starts_with(kVersion))
+    refuse("is a checkpoint of another version of ease: expected one of this version; start the run anew");
+  if (bytes.size() < kHeader) refuse("is cut short");
+  Reader reader{bytes, kKind.size() + kVersion.size()};
+  std::uint64_t written = 0;
+  reader.number(written);
+  if (fingerprint(bytes.data() + kHeader, bytes.size() - kHeader) != written)
+    refuse("is damaged or cut short: its content is not what was written");
   Checkpoint checkpoint;
-  try {
-    members(reader, checkpoint);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  members(reader, checkpoint);
   return checkpoint;
 }
 

@@ -31,7 +31,7 @@ struct Checkpoint {
 /// Writes the file, temporary name first.  Throws ComputationError naming it.
 void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
 
-/// Throws InputError where there is none, where it is cut short, or was written by another version.
+/// Throws InputError where there is none, where it is not as it was written, or was written by another version.
 Checkpoint readCheckpoint(const std::filesystem::path& file);
 
 }  // namespace ease

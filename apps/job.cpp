@@ -10,6 +10,7 @@
 #include "apps/frames.h"
 #include "apps/progress.h"
 #include "apps/report.h"
+#include "apps/resume.h"
 #include "apps/run.h"
 #include "solver/mesh/error.h"
 #include "solver/mesh/mesh_io.h"
@@ -21,7 +22,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kCheckpoint = "checkpoint.bin";
 constexpr double kWorrying = 2e-3;     // m: into the body, worth a warning
 constexpr double kShownStretch = 0.1;  // marked in the picture of a run that has no limit
 
@@ -264,23 +264,6 @@ class Job {
 };
 
 }  // namespace
-
-Checkpoint checkpointIn(const std::filesystem::path& directory, const Scene& scene, const SceneInput& input) {
-  const std::filesystem::path file = directory / kCheckpoint;
-  const Checkpoint from = readCheckpoint(file);
-  const auto expectSame = [&](const char* key, double before, double now) {
-    if (before != now)
-      throw InputError(fmt::format("{}: {} was {:g} and is {:g}: expected the same, to go on from there", file.string(),
-                                   key, before, now));
-  };
-  expectSame("the garment's number of vertices", from.state.positions.rows(), input.garment.positions.rows());
-  expectSame("the garment's number of triangles", from.rest_edges.size(), input.garment.triangles.rows());
-  if (!isNumbering(from.numbering, input.garment)) throw InputError(fmt::format("{}: is damaged", file.string()));
-  expectSame("[solver] time_step", from.time_step_s, scene.solver.time_step);
-  expectSame("[solver] steps_per_pose", from.steps_per_pose, scene.solver.steps_per_pose);
-  expectSame("[body] steps", from.interpolation_steps, scene.body ? scene.body->steps : 0);
-  return from;
-}
 
 bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
               const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& from) {

@@ -14,6 +14,7 @@
 
 #include "apps/garment_files.h"
 #include "apps/job.h"
+#include "apps/resume.h"
 #include "apps/scene.h"
 #include "apps/timeline.h"
 #include "apps/words.h"
@@ -162,11 +163,12 @@ ExitCode runCommand(const Arguments& arguments) {
   const int threads = scene.solver.threads;
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   return arena.execute([&] {
+    std::optional<Checkpoint> from;
+    if (!arguments.resumed.empty()) from = checkpointIn(arguments.resumed);
     const SceneInput input = readWithWarnings(scene);
     divisionFor(scene, input);  // refuses what cannot be simulated
+    if (from) checkGoesOn(*from, arguments.resumed, scene, input);
     if (interrupted) return interruptedBeforeWriting();
-    std::optional<Checkpoint> from;
-    if (!arguments.resumed.empty()) from = checkpointIn(arguments.resumed, scene, input);
     prepareDirectory(directory);
     if (input.authored) writeGarment(scene, input, directory);
     try {

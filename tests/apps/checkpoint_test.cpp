@@ -48,6 +48,23 @@ TEST_CASE("a checkpoint is read as it was written, to the last bit") {
   CHECK(read.numbering.triangles == written.numbering.triangles);
 }
 
+TEST_CASE("a checkpoint of which one bit changed is refused, and so is one of an older version") {
+  const TemporaryDirectory directory;
+  const auto file = directory.path / "checkpoint.bin";
+  writeCheckpoint(file, someCheckpoint());
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  for (size_t at = 18; at < bytes.size(); at += 29) {
+    std::string flipped = bytes;
+    flipped[at] = static_cast<char>(flipped[at] ^ (1 << at % 8));
+    const auto damaged = directory.write("damaged.bin", flipped);
+    CHECK_THAT(messageOf<InputError>([&] { readCheckpoint(damaged); }), Contains("damaged.bin: is damaged"));
+  }
+  const auto old = directory.write("old.bin", "ease checkpoint 2\n" + bytes.substr(18));
+  CHECK_THAT(messageOf<InputError>([&] { readCheckpoint(old); }),
+             Contains("old.bin: is a checkpoint of another version"));
+}
+
 TEST_CASE("a checkpoint that is cut short anywhere, or is another file, is refused by its name") {
   const TemporaryDirectory directory;
   const auto file = directory.path / "checkpoint.bin";

@@ -1,0 +1,20 @@
+// Going on from where an earlier run stopped: what there must be, and what must be the same.
+#pragma once
+
+#include <filesystem>
+
+#include "apps/checkpoint.h"
+#include "apps/scene.h"
+
+namespace ease {
+
+constexpr const char* kCheckpoint = "checkpoint.bin";  // in a run's directory
+
+/// The checkpoint that an earlier run left in `directory`.  Throws InputError where there is none.
+Checkpoint checkpointIn(const std::filesystem::path& directory);
+
+/// Throws InputError where the scene is not one that can go on from the checkpoint in `directory`.
+void checkGoesOn(const Checkpoint& from, const std::filesystem::path& directory, const Scene& scene,
+                 const SceneInput& input);
+
+}  // namespace ease
