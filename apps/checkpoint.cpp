@@ -74,7 +74,8 @@ struct Reader {
 
 template <class Bytes, class C>
 void members(Bytes& bytes, C& c) {
-  bytes.number(c.time_steps);
+  bytes.number(c.done);
+  bytes.array(c.poses_met);
   bytes.number(c.time_step_s);
   bytes.number(c.steps_per_pose);
   bytes.number(c.interpolation_steps);

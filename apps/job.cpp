@@ -102,8 +102,10 @@ class Job {
     }
   }
 
+  StepsDone done() const { return from_ ? from_->done : StepsDone(); }
+
   /// s of motion; -1: from the start.
-  double resumedAt() const { return from_ ? (from_->time_steps + 0.5) * from_->time_step_s : -1.0; }
+  double resumedAt() const { return from_ ? (from_->done.all + 0.5) * from_->time_step_s : -1.0; }
 
   void setUp() {
     cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
@@ -121,7 +123,7 @@ class Job {
     report_.pose_names = input_.pose_names;
     report_.warnings = input_.warnings;
     const long replays = scene_.adaption && scene_.adaption->verify ? 2 : 0;
-    progress_.emplace(static_cast<long>(timeline(scene_, true).size()) +
+    progress_.emplace(static_cast<long>(timeline(scene_, true, done()).size()) +
                       replays * static_cast<long>(timeline(scene_, false).size()));
   }
 
@@ -139,12 +141,14 @@ class Job {
   void adaptingRun() {
     std::optional<SeriesOfRun> series;
     RunOptions run_options = options(true, scene_.adaption ? "adapting" : "simulating");
-    if (scene_.output) {
+    const bool moves_on = !timeline(scene_, true, done()).empty();  // otherwise the replays alone are left
+    if (scene_.output && moves_on) {
       series.emplace(directory_, given_.garment.triangles, numbering_, input_.body_triangles, resumedAt());
       run_options.series = &*series;
     }
     run_options.keep = [&](Checkpoint checkpoint) {
       checkpoint.numbering = numbering_;
+      checkpoint.poses_met = posesMet(scene_, input_, checkpoint.done);
       if (series) series->finish();  // its frames are there before what goes on from them
       writeCheckpoint(directory_ / kCheckpoint, checkpoint);
     };
@@ -207,9 +211,8 @@ class Job {
           drawStretch(directory_ / name, views, "largest principal stretch", 1.0, 1.0 + 2.0 * limit, 1.0 + limit);
       if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
     };
-    const std::vector<Moment> moments = timeline(scene_, !report_.verified);
     Positions last;
-    if (body_) body_->positions(moments.empty() ? 0.0 : moments.back().body, last);
+    if (body_) last = input_.poses[posesOfMotion(scene_, !report_.verified).back()];
     if (report_.verified) {
       draw("stretch.png", last, {{"before", &before_.last}, {"after", &after_.last}});
       draw("stretch_first_pose.png", body_ ? input_.poses.front() : last,

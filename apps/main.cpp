@@ -169,6 +169,12 @@ ExitCode runCommand(const Arguments& arguments) {
     divisionFor(scene, input);  // refuses what cannot be simulated
     if (from) checkGoesOn(*from, arguments.resumed, scene, input);
     if (interrupted) return interruptedBeforeWriting();
+    if (from && timeline(scene, true, from->done).empty() && isFinished(arguments.resumed)) {
+      fmt::print(
+          "nothing left to do: the run in {} is at the end; it goes on with more poses, cycles or settle steps\n",
+          arguments.resumed);
+      return kDone;
+    }
     prepareDirectory(directory);
     if (input.authored) writeGarment(scene, input, directory);
     try {

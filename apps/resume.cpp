@@ -2,9 +2,36 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "apps/fingerprint.h"
 #include "solver/mesh/error.h"
 
 namespace ease {
+
+namespace {
+
+/// Where the body has been it must have been in this scene's motion too; otherwise it would jump.
+void checkWay(const Checkpoint& from, const std::string& directory, const Scene& scene, const SceneInput& input) {
+  const std::vector<std::uint64_t> met = posesMet(scene, input, from.done);
+  const std::vector<int> poses = posesOfMotion(scene, true);
+  const std::string key = scene.file.string() + ": [body] poses";
+  for (size_t k = 0; k < std::min(met.size(), from.poses_met.size()); ++k)
+    if (met[k] != from.poses_met[k])
+      throw InputError(
+          fmt::format("{}: number {} of the motion, '{}', is not what the run in {} met there: expected "
+                      "the same poses as far as it went; more may follow",
+                      key, k + 1, input.pose_names[poses[k]], directory));
+  if (met.size() < from.poses_met.size())
+    throw InputError(
+        fmt::format("{}: the motion has {} with its cycles, and the run in {} met {}: expected as many at "
+                    "least",
+                    key, met.size(), directory, from.poses_met.size()));
+}
+
+}  // namespace
 
 Checkpoint checkpointIn(const std::filesystem::path& directory) {
   if (!std::filesystem::is_directory(directory))
@@ -27,6 +54,26 @@ void checkGoesOn(const Checkpoint& from, const std::filesystem::path& directory,
   expectSame("[solver] time_step", from.time_step_s, scene.solver.time_step);
   expectSame("[solver] steps_per_pose", from.steps_per_pose, scene.solver.steps_per_pose);
   expectSame("[body] steps", from.interpolation_steps, scene.body ? scene.body->steps : 0);
+  checkWay(from, directory.string(), scene, input);
+}
+
+std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input, const StepsDone& done) {
+  const std::vector<int> poses = posesOfMotion(scene, true);
+  std::vector<std::uint64_t> met;
+  for (size_t k = 0; k < poses.size(); ++k) {
+    // Between two poses the body is not the same forth and back (pose_interpolation.h).
+    const bool back = k > 0 && poses[k] < poses[k - 1];
+    if (k > 0 && done.moving <= static_cast<int>(k - 1) * scene.body->steps * scene.solver.steps_per_pose) break;
+    const Positions& x = input.poses[poses[k]];
+    met.push_back(fingerprint(x.data(), x.size() * sizeof(double)) + (back ? 1 : 0));
+  }
+  return met;
+}
+
+bool isFinished(const std::filesystem::path& directory) {
+  std::ifstream in(directory / "report.json");
+  const nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
+  return report.is_object() && report.value("interrupted", true) == false && !report.contains("failure");
 }
 
 }  // namespace ease

@@ -17,4 +17,11 @@ Checkpoint checkpointIn(const std::filesystem::path& directory);
 void checkGoesOn(const Checkpoint& from, const std::filesystem::path& directory, const Scene& scene,
                  const SceneInput& input);
 
+/// Fingerprints of the poses that the body has met when those steps are done, and of the one that it is on its way to;
+/// where it runs back they are others than where it runs forth.
+std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input, const StepsDone& done);
+
+/// Whether the run in `directory` ended as it should, with its report.
+bool isFinished(const std::filesystem::path& directory);
+
 }  // namespace ease

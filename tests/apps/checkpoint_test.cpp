@@ -14,7 +14,8 @@ namespace {
 
 Checkpoint someCheckpoint() {
   Checkpoint c;
-  c.time_steps = 120;
+  c.done = {130, 120, 10};
+  c.poses_met = {7, 8, 9};
   c.time_step_s = 0.0025;
   c.steps_per_pose = 4;
   c.interpolation_steps = 60;
@@ -34,7 +35,10 @@ TEST_CASE("a checkpoint is read as it was written, to the last bit") {
   const Checkpoint written = someCheckpoint();
   writeCheckpoint(file, written);
   const Checkpoint read = readCheckpoint(file);
-  CHECK(read.time_steps == written.time_steps);
+  CHECK(read.done.all == written.done.all);
+  CHECK(read.done.moving == written.done.moving);
+  CHECK(read.done.still == written.done.still);
+  CHECK(read.poses_met == written.poses_met);
   CHECK(read.time_step_s == written.time_step_s);
   CHECK(read.steps_per_pose == written.steps_per_pose);
   CHECK(read.interpolation_steps == written.interpolation_steps);

@@ -229,6 +229,34 @@ TEST_CASE("a run that is stopped and goes on gives what an unbroken one gives, t
   }
 }
 
+TEST_CASE("a run that goes on keeps to the way of the body, which may be longer but not another") {
+  const TemporaryDirectory directory;
+  const auto resume = [&](const std::string& poses, const std::string& adaption, const std::string& arguments) {
+    directory.write("on.toml", "[body]\nbuiltin = 'mannequin'\nposes = " + poses +
+                                   "\nsteps = 2\n[garment]\nbuiltin = 't-shirt'\nvertices = 400\n[[garment.pin]]\n"
+                                   "loop = 'neck'\n[adaption]\nverify = false\n" +
+                                   adaption + "[output]\nevery = 2\n[solver]\nmethod = 'bw1'\n");
+    return runEase(directory, "run on.toml " + arguments);
+  };
+  REQUIRE(resume("['t', 'a', 't']", "settle = 2\n", "-o done").code == 0);
+  for (const char* other : {"['t', 'up', 't']", "['t', 'a', 'up', 't']", "['t', 't', 'a']"}) {
+    const Outcome outcome = resume(other, "", "--resume done");
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, StartsWith("ease: error: on.toml: [body] poses: number ") &&
+                                Contains("is not what the run in done met there"));
+    CHECK(isOneLine(outcome.err));
+  }
+  const Outcome fewer = resume("['t', 'a']", "settle = 20\n", "--resume done");
+  CHECK(fewer.code == 1);
+  CHECK_THAT(fewer.err, Contains("[body] poses: the motion has 2 with its cycles, and the run in done met 3"));
+  CHECK(std::filesystem::exists(directory.path / "done/report.json"));
+
+  REQUIRE(resume("['t', 'a', 't', 'up']", "settle = 4\n", "--resume done").code == 0);
+  CHECK_THAT(contentOf(directory.path / "done/report.json"),
+             Contains("\"steps\": 12") && Contains("\"settle_steps\": 4"));
+  CHECK_THAT(contentOf(directory.path / "done/body.pvd"), Contains("body_000015.vtp") && !Contains("body_000016.vtp"));
+}
+
 TEST_CASE("a run goes on from a checkpoint of the same garment and clock alone") {
   const TemporaryDirectory directory;
   writeHangingCloth(directory, 4);
@@ -241,7 +269,13 @@ TEST_CASE("a run goes on from a checkpoint of the same garment and clock alone")
   CHECK_THAT(too_soon.err, Contains("begun: has no checkpoint yet"));
   REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
   directory.write("hang.toml", contentOf(directory.path / "hang.toml") + "[output]\nevery = 2\n");
+  const std::string report = contentOf(directory.path / "there/report.json");
+  const Outcome nothing = runEase(directory, "run hang.toml --resume there -o elsewhere");
+  CHECK(nothing.code == 0);
+  CHECK_THAT(nothing.out, StartsWith("nothing left to do: the run in there is at the end"));
+  CHECK_FALSE(std::filesystem::exists(directory.path / "elsewhere"));
   CHECK(runEase(directory, "run hang.toml --resume there").code == 0);
+  CHECK(contentOf(directory.path / "there/report.json") == report);
   std::string other = contentOf(directory.path / "hang.toml");
   other.replace(other.find("steps = 4"), 9, "steps = 9, time_step = 0.001");
   directory.write("hang.toml", other);
