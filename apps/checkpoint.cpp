@@ -36,10 +36,11 @@ struct Writer {
     number(count);
     raw(values.data(), count * sizeof(T));
   }
-  void rows(const Positions& x) {
+  template <class Rows>
+  void rows(const Rows& x) {
     const std::uint64_t count = x.rows();
     number(count);
-    raw(x.data(), count * 3 * sizeof(double));
+    raw(x.data(), count * 3 * sizeof *x.data());
   }
 };
 
@@ -66,9 +67,10 @@ struct Reader {
     values.resize(count(sizeof(T)));
     raw(values.data(), values.size() * sizeof(T));
   }
-  void rows(Positions& x) {
-    x.resize(static_cast<long>(count(3 * sizeof(double))), 3);
-    raw(x.data(), x.size() * sizeof(double));
+  template <class Rows>
+  void rows(Rows& x) {
+    x.resize(static_cast<long>(count(3 * sizeof *x.data())), 3);
+    raw(x.data(), x.size() * sizeof *x.data());
   }
 };
 
@@ -79,14 +81,19 @@ void members(Bytes& bytes, C& c) {
   bytes.number(c.time_step_s);
   bytes.number(c.steps_per_pose);
   bytes.number(c.interpolation_steps);
-  bytes.rows(c.state.positions);
-  bytes.rows(c.state.velocities);
-  bytes.rows(c.rest_positions);
-  bytes.array(c.rest_edges);
-  bytes.array(c.wanted_edges);
-  bytes.array(c.pinned);
+  bytes.rows(c.start.mesh.positions);
+  bytes.rows(c.start.mesh.triangles);
+  bytes.number(c.start.offset);
   bytes.array(c.numbering.vertices);
   bytes.array(c.numbering.triangles);
+  bytes.rows(c.state.positions);
+  bytes.rows(c.state.velocities);
+  bytes.rows(c.first_rest.positions);
+  bytes.array(c.first_rest.edges);
+  bytes.rows(c.rest.positions);
+  bytes.array(c.rest.edges);
+  bytes.array(c.wanted_edges);
+  bytes.array(c.pinned);
 }
 
 }  // namespace

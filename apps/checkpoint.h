@@ -16,6 +16,11 @@
 
 namespace ease {
 
+struct RestShape {
+  Positions positions;      // m
+  std::vector<Mat2> edges;  // of every triangle in its plane, m
+};
+
 struct Checkpoint {
   StepsDone done;
   // Fingerprint of every pose that the body has met on its way, and of the one that it is on its way to.
@@ -24,12 +29,12 @@ struct Checkpoint {
   double time_step_s = 0.0;
   int steps_per_pose = 0;       // time steps per interpolation step
   int interpolation_steps = 0;  // from a pose to the next; 0: no body
+  StartGarment start;
+  Numbering numbering;  // of the garment, that all below are in
   State state;
-  Positions rest_positions;        // m
-  std::vector<Mat2> rest_edges;    // m
+  RestShape first_rest, rest;
   std::vector<Mat2> wanted_edges;  // of the stitcher, m; empty: no adaption so far
   std::vector<int> pinned;         // vertices
-  Numbering numbering;             // of the garment, that all these are in
 };
 
 /// Writes the file, temporary name first.  Throws ComputationError naming it.

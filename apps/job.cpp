@@ -109,10 +109,11 @@ class Job {
 
   void setUp() {
     cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
-    if (!input_.paint.empty())
+    if (from_)
+      cloth_->setRest(from_->first_rest.positions, from_->first_rest.edges);
+    else if (!input_.paint.empty())
       Stitcher(*cloth_, systemOrdering(cloth_->vertexCount(), cloth_->triangles())).rescale(*cloth_, input_.paint);
-    first_positions_ = cloth_->restPositions();
-    first_edges_ = cloth_->restEdges();
+    first_rest_ = {cloth_->restPositions(), cloth_->restEdges()};
     first_inverse_ = cloth_->restInverse();
     first_areas_ = cloth_->restAreas();
     if (scene_.body) body_.emplace(movingBody(scene_, input_));
@@ -147,7 +148,9 @@ class Job {
       run_options.series = &*series;
     }
     run_options.keep = [&](Checkpoint checkpoint) {
+      checkpoint.start = from_ ? from_->start : StartGarment{given_.garment, scene_.collision.offset};
       checkpoint.numbering = numbering_;
+      checkpoint.first_rest = first_rest_;
       checkpoint.poses_met = posesMet(scene_, input_, checkpoint.done);
       if (series) series->finish();  // its frames are there before what goes on from them
       writeCheckpoint(directory_ / kCheckpoint, checkpoint);
@@ -173,17 +176,15 @@ class Job {
   }
 
   void replays() {
-    const Positions adapted_positions = cloth_->restPositions();
-    const std::vector<Mat2> adapted_edges = cloth_->restEdges();
-    replay(first_positions_, first_edges_, "replaying the first rest shape", report_.before, before_);
-    replay(adapted_positions, adapted_edges, "replaying the adapted rest shape", report_.after, after_);
+    const RestShape adapted{cloth_->restPositions(), cloth_->restEdges()};
+    replay(first_rest_, "replaying the first rest shape", report_.before, before_);
+    replay(adapted, "replaying the adapted rest shape", report_.after, after_);
     report_.verified = !interrupted_;
   }
 
-  void replay(const Positions& rest, const std::vector<Mat2>& edges, const char* what, PassRecord& record,
-              FirstAndLast& shown) {
+  void replay(const RestShape& rest, const char* what, PassRecord& record, FirstAndLast& shown) {
     if (interrupted_) return;
-    cloth_->setRest(rest, edges);
+    cloth_->setRest(rest.positions, rest.edges);
     State state;
     runMotion(scene_, input_, body(), *cloth_, options(false, what), state, record);
     shown = {shownAt(input_.garment.positions), shownAt(state.positions)};
@@ -257,8 +258,8 @@ class Job {
 
   std::optional<Cloth> cloth_;
   std::optional<MovingBody> body_;
-  Positions first_positions_;
-  std::vector<Mat2> first_edges_, first_inverse_;
+  RestShape first_rest_;
+  std::vector<Mat2> first_inverse_;
   std::vector<double> first_areas_;
   State state_;
   FirstAndLast before_, after_;

@@ -84,8 +84,8 @@ void prepareDirectory(const fs::path& directory) {
   if (!writable) throw InputError(fmt::format("{}: cannot write into this directory", directory.string()));
 }
 
-SceneInput readWithWarnings(const Scene& scene) {
-  SceneInput input = readSceneInput(scene);
+SceneInput readWithWarnings(const Scene& scene, const StartGarment* before = nullptr) {
+  SceneInput input = readSceneInput(scene, before);
   for (const std::string& warning : input.warnings) say("warning", warning);
   return input;
 }
@@ -165,7 +165,7 @@ ExitCode runCommand(const Arguments& arguments) {
   return arena.execute([&] {
     std::optional<Checkpoint> from;
     if (!arguments.resumed.empty()) from = checkpointIn(arguments.resumed);
-    const SceneInput input = readWithWarnings(scene);
+    const SceneInput input = readWithWarnings(scene, from ? &from->start : nullptr);
     divisionFor(scene, input);  // refuses what cannot be simulated
     if (from) checkGoesOn(*from, arguments.resumed, scene, input);
     if (interrupted) return interruptedBeforeWriting();

@@ -49,12 +49,31 @@ void checkGoesOn(const Checkpoint& from, const std::filesystem::path& directory,
       throw InputError(fmt::format("{}: {} was {:g} and is {:g}: expected the same, to go on from there",
                                    (directory / kCheckpoint).string(), key, before, now));
   };
-  expectSame("the garment's number of vertices", from.state.positions.rows(), input.garment.positions.rows());
-  expectSame("the garment's number of triangles", from.rest_edges.size(), input.garment.triangles.rows());
   expectSame("[solver] time_step", from.time_step_s, scene.solver.time_step);
   expectSame("[solver] steps_per_pose", from.steps_per_pose, scene.solver.steps_per_pose);
   expectSame("[body] steps", from.interpolation_steps, scene.body ? scene.body->steps : 0);
   checkWay(from, directory.string(), scene, input);
+}
+
+void startAs(const StartGarment& before, const std::string& name, SceneInput& input) {
+  const TriangleMesh &now = input.garment, &then = before.mesh;
+  if (now.positions.rows() != then.positions.rows() || now.triangles.rows() != then.triangles.rows())
+    throw InputError(
+        fmt::format("{}: {} vertices and {} triangles: expected the garment of the run that goes on, {} "
+                    "and {}",
+                    name, now.positions.rows(), now.triangles.rows(), then.positions.rows(), then.triangles.rows()));
+  if (now.triangles != then.triangles)
+    throw InputError(
+        fmt::format("{}: its triangles are not those of the run that goes on: expected the same garment, "
+                    "numbered as it was",
+                    name));
+  if (now.positions == then.positions) return;
+  input.warnings.push_back(
+      fmt::format("{}: its vertices lie elsewhere than at the start of the run that goes on: they "
+                  "are taken as they were",
+                  name));
+  input.garment.positions = then.positions;
+  if (input.authored) input.authored->garment.mesh.positions = then.positions;
 }
 
 std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input, const StepsDone& done) {

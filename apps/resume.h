@@ -17,6 +17,10 @@ Checkpoint checkpointIn(const std::filesystem::path& directory);
 void checkGoesOn(const Checkpoint& from, const std::filesystem::path& directory, const Scene& scene,
                  const SceneInput& input);
 
+/// Lets the garment just read, `name`, start as that of the run before.  Throws InputError where its triangles are
+/// others; warns where its vertices lie elsewhere.
+void startAs(const StartGarment& before, const std::string& name, SceneInput& input);
+
 /// Fingerprints of the poses that the body has met when those steps are done, and of the one that it is on its way to;
 /// where it runs back they are others than where it runs forth.
 std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input, const StepsDone& done);

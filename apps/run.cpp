@@ -104,7 +104,7 @@ class Run {
 
   void goOn(const Checkpoint& from) {
     state_ = from.state;
-    cloth_.setRest(from.rest_positions, from.rest_edges);
+    cloth_.setRest(from.rest.positions, from.rest.edges);
     if (stitcher_ && !from.wanted_edges.empty()) stitcher_->restore(from.wanted_edges);
   }
 
@@ -130,8 +130,7 @@ class Run {
     checkpoint.steps_per_pose = scene_.solver.steps_per_pose * record_.division.interpolation_steps / parts;
     checkpoint.interpolation_steps = scene_.body ? scene_.body->steps / record_.division.interpolation_steps : 0;
     checkpoint.state = state_;
-    checkpoint.rest_positions = cloth_.restPositions();
-    checkpoint.rest_edges = cloth_.restEdges();
+    checkpoint.rest = {cloth_.restPositions(), cloth_.restEdges()};
     if (stitcher_) checkpoint.wanted_edges = stitcher_->wanted();
     checkpoint.pinned = pins_.vertices();
     options_.keep(std::move(checkpoint));

@@ -99,8 +99,15 @@ struct SceneInput {
   std::vector<std::string> warnings;  // one line each
 };
 
-/// Reads meshes and checks all that a run relies on; computes nothing else.  Throws InputError.
-SceneInput readSceneInput(const Scene& scene);
+/// The garment that a run began with, on the first pose, numbered as it came.
+struct StartGarment {
+  TriangleMesh mesh;
+  double offset = 0.0;  // m: that a built-in one was made for
+};
+
+/// Reads meshes and checks all that a run relies on; computes nothing else.  Throws InputError.  `before`: of a run
+/// that goes on; the scene's garment must have its triangles, and takes its positions.
+SceneInput readSceneInput(const Scene& scene, const StartGarment* before = nullptr);
 
 /// The same garment, its vertices and triangles in another order; without what authoring alone knows.
 SceneInput renumbered(const SceneInput& input, const Numbering& numbering);

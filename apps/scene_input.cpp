@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "apps/resume.h"
 #include "apps/scene.h"
 #include "apps/words.h"
 #include "collision/mannequin.h"
@@ -124,8 +125,8 @@ void readPoses(const Scene& scene, SceneInput& input) {
   }
 }
 
-/// Reads or makes the garment; returns what to call it in messages.
-std::string readGarment(const Scene& scene, SceneInput& input) {
+/// Reads or makes the garment; returns what to call it in messages.  `offset`: that a built-in one is made for, m.
+std::string readGarment(const Scene& scene, double offset, SceneInput& input) {
   const GarmentScene& garment = scene.garment;
   if (garment.tools) {
     try {
@@ -139,7 +140,7 @@ std::string readGarment(const Scene& scene, SceneInput& input) {
     return "garment";
   }
   if (!garment.builtin.empty()) {
-    input.garment = builtinGarment(garment.builtin, garment.vertices, scene.collision.offset);
+    input.garment = builtinGarment(garment.builtin, garment.vertices, offset);
     return garment.builtin;
   }
   const std::filesystem::path file = besideScene(scene, garment.mesh);
@@ -260,11 +261,12 @@ std::vector<std::vector<int>> resolvePins(const Scene& scene, const SceneInput& 
 
 }  // namespace
 
-SceneInput readSceneInput(const Scene& scene) {
+SceneInput readSceneInput(const Scene& scene, const StartGarment* before) {
   SceneInput input;
   // A garment that is authored needs its body; otherwise its faults are told first.
   if (scene.garment.tools) readPoses(scene, input);
-  const std::string name = readGarment(scene, input);
+  const std::string name = readGarment(scene, before ? before->offset : scene.collision.offset, input);
+  if (before) startAs(*before, name, input);
   checkGeometry(input.garment, name);
   checkVerticesUsed(input.garment, name);
   const Topology topology = buildTopology(input.garment, name);

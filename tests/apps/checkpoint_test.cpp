@@ -20,8 +20,9 @@ Checkpoint someCheckpoint() {
   c.steps_per_pose = 4;
   c.interpolation_steps = 60;
   c.state = {randomPositions(7, 1), randomPositions(7, 2)};
-  c.rest_positions = randomPositions(7, 3);
-  c.rest_edges.assign(5, (Mat2() << 1.0 / 3.0, 0.1, 0.0, 2.0).finished());
+  c.start = {{randomPositions(7, 4), Triangles::Constant(5, 3, 6)}, 0.005};
+  c.first_rest = {randomPositions(7, 5), std::vector<Mat2>(5, Mat2::Identity())};
+  c.rest = {randomPositions(7, 3), std::vector<Mat2>(5, (Mat2() << 1.0 / 3.0, 0.1, 0.0, 2.0).finished())};
   c.pinned = {3, 1};
   c.numbering = {{6, 5, 4, 3, 2, 1, 0}, {1, 0, 2, 4, 3}};
   return c;
@@ -44,8 +45,13 @@ TEST_CASE("a checkpoint is read as it was written, to the last bit") {
   CHECK(read.interpolation_steps == written.interpolation_steps);
   CHECK(read.state.positions == written.state.positions);
   CHECK(read.state.velocities == written.state.velocities);
-  CHECK(read.rest_positions == written.rest_positions);
-  CHECK(read.rest_edges == written.rest_edges);
+  CHECK(read.start.mesh.positions == written.start.mesh.positions);
+  CHECK(read.start.mesh.triangles == written.start.mesh.triangles);
+  CHECK(read.start.offset == written.start.offset);
+  CHECK(read.first_rest.positions == written.first_rest.positions);
+  CHECK(read.first_rest.edges == written.first_rest.edges);
+  CHECK(read.rest.positions == written.rest.positions);
+  CHECK(read.rest.edges == written.rest.edges);
   CHECK(read.wanted_edges.empty());
   CHECK(read.pinned == written.pinned);
   CHECK(read.numbering.vertices == written.numbering.vertices);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/apps/temporary_directory.h"
@@ -42,6 +43,11 @@ bool isOneLine(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n') == 1;
 }
 
+std::filesystem::path writeHangingScene(const TemporaryDirectory& directory, int steps) {
+  return directory.write("hang.toml", "solver = {steps = " + std::to_string(steps) +
+                                          "}\n[garment]\nmesh = 'cloth.obj'\n[[garment.pin]]\nvertices = [6, 7, 8]\n");
+}
+
 /// A square of cloth, 2 x 2 x 2 triangles, that hangs by its upper edge for `steps` time steps.
 std::filesystem::path writeHangingCloth(const TemporaryDirectory& directory, int steps) {
   std::string obj;
@@ -49,8 +55,7 @@ std::filesystem::path writeHangingCloth(const TemporaryDirectory& directory, int
     for (const char* x : {"0.0", "0.1", "0.2"}) obj += std::string("v ") + x + " " + y + " 0\n";
   obj += "f 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 6 5\nf 4 5 8\nf 4 8 7\nf 5 6 9\nf 5 9 8\n";
   directory.write("cloth.obj", obj);
-  return directory.write("hang.toml", "solver = {steps = " + std::to_string(steps) +
-                                          "}\n[garment]\nmesh = 'cloth.obj'\n[[garment.pin]]\nvertices = [6, 7, 8]\n");
+  return writeHangingScene(directory, steps);
 }
 
 }  // namespace
@@ -251,8 +256,8 @@ TEST_CASE("a run that goes on keeps to the way of the body, which may be longer 
   CHECK_THAT(fewer.err, Contains("[body] poses: the motion has 2 with its cycles, and the run in done met 3"));
   CHECK(std::filesystem::exists(directory.path / "done/report.json"));
 
-  REQUIRE(resume("['t', 'a', 't', 'up']", "settle = 4\n", "--resume done").code == 0);
-  CHECK_THAT(contentOf(directory.path / "done/report.json"),
+  REQUIRE(resume("['t', 'a', 't', 'up']", "settle = 4\n[collision]\noffset = 0.008\n", "--resume done").code == 0);
+  CHECK_THAT(contentOf(directory.path / "done/report.json"),  // the T-shirt is that of the offset before
              Contains("\"steps\": 12") && Contains("\"settle_steps\": 4"));
   CHECK_THAT(contentOf(directory.path / "done/body.pvd"), Contains("body_000015.vtp") && !Contains("body_000016.vtp"));
 }
@@ -288,4 +293,31 @@ TEST_CASE("a run goes on from a checkpoint of the same garment and clock alone")
   CHECK(cut.code == 1);
   CHECK_THAT(cut.err, Contains("checkpoint.bin: is damaged or cut short"));
   CHECK(std::filesystem::exists(directory.path / "there/stretch.png"));
+}
+
+TEST_CASE("a run goes on with the garment that it began with, its triangles as they were") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 4);
+  REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
+  const std::string cloth = contentOf(directory.path / "cloth.obj");
+  const auto resumeWith = [&](const std::string& before, const std::string& now) {
+    std::string other = cloth;
+    directory.write("cloth.obj", other.replace(other.find(before), before.size(), now));
+    writeHangingScene(directory, 8);
+    return runEase(directory, "run hang.toml --resume there");
+  };
+  for (const auto& [now, message] : {std::pair("f 2 5 1", "its triangles are not those of the run that goes on"),
+                                     std::pair("f 5 9 8\nf 1 2 5", "9 vertices and 9 triangles: expected")}) {
+    const Outcome outcome = resumeWith("f 1 2 5", now);
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, StartsWith("ease: error: cloth.obj: ") && Contains(message));
+    CHECK(isOneLine(outcome.err));
+  }
+  const Outcome moved = resumeWith("v 0.2 1.0 0", "v 0.3 0.9 0");
+  CHECK(moved.code == 0);
+  CHECK_THAT(moved.err, StartsWith("ease: warning: cloth.obj: its vertices lie elsewhere"));
+  CHECK(isOneLine(moved.err));
+  const auto report = nlohmann::json::parse(contentOf(directory.path / "there/report.json"));
+  CHECK(report["steps"] == 4);
+  CHECK(report["rest_growth"]["max"].get<double>() == Approx(1.0).epsilon(1e-12));
 }
