@@ -92,6 +92,7 @@ void members(Bytes& bytes, C& c) {
   bytes.array(c.first_rest.edges);
   bytes.rows(c.rest.positions);
   bytes.array(c.rest.edges);
+  bytes.array(c.paint);
   bytes.array(c.wanted_edges);
   bytes.array(c.pinned);
 }

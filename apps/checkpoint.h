@@ -33,6 +33,7 @@ struct Checkpoint {
   Numbering numbering;  // of the garment, that all below are in
   State state;
   RestShape first_rest, rest;
+  std::vector<double> paint;       // of every triangle, as far as `rest` has it; empty: none is painted
   std::vector<Mat2> wanted_edges;  // of the stitcher, m; empty: no adaption so far
   std::vector<int> pinned;         // vertices
 };

@@ -170,9 +170,8 @@ ExitCode runCommand(const Arguments& arguments) {
     if (from) checkGoesOn(*from, arguments.resumed, scene, input);
     if (interrupted) return interruptedBeforeWriting();
     if (from && timeline(scene, true, from->done).empty() && isFinished(arguments.resumed)) {
-      fmt::print(
-          "nothing left to do: the run in {} is at the end; it goes on with more poses, cycles or settle steps\n",
-          arguments.resumed);
+      fmt::print("nothing left to do: the run in {} is at the end; it goes on with more poses, cycles or steps\n",
+                 arguments.resumed);
       return kDone;
     }
     prepareDirectory(directory);
@@ -223,8 +222,9 @@ ExitCode commandLine(int argc, char** argv) {
   run->add_option("--threads", arguments.threads, "Number of threads, 0 for all; by default as the scene says")
       ->check(CLI::Range(0, 1024));
   run->add_option("--resume", arguments.resumed,
-                  "Go on where the run in this directory stopped; the scene may have other pins, material, offset, "
-                  "adaption, method, or more poses or cycles.  Results go there too, unless -o says otherwise")
+                  "Go on where the run in this directory stopped; the scene may have other pins, paint, material, "
+                  "offset, adaption, method, or more poses or cycles after those that the body has met.  Results go "
+                  "there too, unless -o says otherwise")
       ->check([](const std::string& directory) { return directory.empty() ? "expected a directory's name" : ""; });
   run->footer(kRunExamples);
   CLI::App* check = app.add_subcommand("check", "Read and check all that run would use; compute nothing");

@@ -12,6 +12,7 @@
 #include "apps/frames.h"
 #include "apps/garment_pins.h"
 #include "apps/stopwatch.h"
+#include "garment/paint.h"
 #include "solver/linear/parallel.h"
 #include "solver/mesh/error.h"
 
@@ -62,9 +63,8 @@ class Run {
 
   void operator()() {
     const int parts = record_.division.time_steps;
-    StepsDone done;
-    if (options_.from) done = options_.from->done;
-    done = {done.all * parts, done.moving * parts, done.still * parts};
+    const StepsDone before = options_.from ? options_.from->done : StepsDone();
+    const StepsDone done{before.all * parts, before.moving * parts, before.still * parts};
     const std::vector<Moment> moments = timeline(scene_, options_.adapting, done);
     const double body = done.moving / static_cast<double>(scene_.solver.steps_per_pose);
     record_.contact_stiffness = contact_stiffness_;
@@ -104,8 +104,11 @@ class Run {
 
   void goOn(const Checkpoint& from) {
     state_ = from.state;
+    std::optional<Stitcher> for_paint;
+    Stitcher& stitcher = stitcher_ ? *stitcher_ : for_paint.emplace(cloth_, ordering_);  // of the first rest shape
     cloth_.setRest(from.rest.positions, from.rest.edges);
-    if (stitcher_ && !from.wanted_edges.empty()) stitcher_->restore(from.wanted_edges);
+    stitcher.restore(from.wanted_edges.empty() ? from.rest.edges : from.wanted_edges);
+    if (const auto more = paintBetween(from.paint, input_.paint); !more.empty()) stitcher.rescale(cloth_, more);
   }
 
   /// Vertices pinned from the start keep their place on the first pose; those that a changed scene pins while going on,
@@ -130,6 +133,7 @@ class Run {
     checkpoint.steps_per_pose = scene_.solver.steps_per_pose * record_.division.interpolation_steps / parts;
     checkpoint.interpolation_steps = scene_.body ? scene_.body->steps / record_.division.interpolation_steps : 0;
     checkpoint.state = state_;
+    checkpoint.paint = input_.paint;
     checkpoint.rest = {cloth_.restPositions(), cloth_.restEdges()};
     if (stitcher_) checkpoint.wanted_edges = stitcher_->wanted();
     checkpoint.pinned = pins_.vertices();

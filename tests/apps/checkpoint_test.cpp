@@ -23,6 +23,7 @@ Checkpoint someCheckpoint() {
   c.start = {{randomPositions(7, 4), Triangles::Constant(5, 3, 6)}, 0.005};
   c.first_rest = {randomPositions(7, 5), std::vector<Mat2>(5, Mat2::Identity())};
   c.rest = {randomPositions(7, 3), std::vector<Mat2>(5, (Mat2() << 1.0 / 3.0, 0.1, 0.0, 2.0).finished())};
+  c.paint = {1.0, 1.1, 1.2, 1.0, 0.9};
   c.pinned = {3, 1};
   c.numbering = {{6, 5, 4, 3, 2, 1, 0}, {1, 0, 2, 4, 3}};
   return c;
@@ -52,6 +53,7 @@ TEST_CASE("a checkpoint is read as it was written, to the last bit") {
   CHECK(read.first_rest.edges == written.first_rest.edges);
   CHECK(read.rest.positions == written.rest.positions);
   CHECK(read.rest.edges == written.rest.edges);
+  CHECK(read.paint == written.paint);
   CHECK(read.wanted_edges.empty());
   CHECK(read.pinned == written.pinned);
   CHECK(read.numbering.vertices == written.numbering.vertices);

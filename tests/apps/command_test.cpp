@@ -321,3 +321,24 @@ TEST_CASE("a run goes on with the garment that it began with, its triangles as t
   CHECK(report["steps"] == 4);
   CHECK(report["rest_growth"]["max"].get<double>() == Approx(1.0).epsilon(1e-12));
 }
+
+TEST_CASE("paint in a run that goes on scales the rest shape once, by what is more than before") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 4);
+  REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
+  int steps = 4;
+  for (const auto& [scale, adaption] :
+       {std::pair(1.2, ""), std::pair(1.2, ""), std::pair(1.5, "[adaption]\nverify = false\n"), std::pair(1.0, "")}) {
+    steps += 4;
+    const auto scene = writeHangingScene(directory, steps);
+    std::ofstream(scene, std::ios::app) << "[[garment.paint]]\nat = [0.1, 1.1, 0]\nradius = 1\nscale = " << scale
+                                        << "\n"
+                                        << adaption;
+    const Outcome outcome = runEase(directory, "run hang.toml --resume there");
+    INFO(outcome.err << scale);
+    REQUIRE(outcome.code == 0);
+    const auto report = nlohmann::json::parse(contentOf(directory.path / "there/report.json"));
+    CHECK(report["rest_growth"]["max"].get<double>() == Approx(scale).epsilon(0.01));
+    CHECK(report["rest_growth"]["area_ratio"].get<double>() == Approx(scale * scale).epsilon(0.02));
+  }
+}
