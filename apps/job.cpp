@@ -122,6 +122,7 @@ class Job {
     report_.time_step_s = scene_.solver.time_step;
     report_.limit = scene_.adaption ? scene_.adaption->limit : 0.0;
     report_.pose_names = input_.pose_names;
+    if (from_) report_.resumed_from_step = from_->done.all;
     report_.warnings = input_.warnings;
     const long replays = scene_.adaption && scene_.adaption->verify ? 2 : 0;
     progress_.emplace(static_cast<long>(timeline(scene_, true, done()).size()) +

@@ -244,6 +244,8 @@ TEST_CASE("a run that goes on keeps to the way of the body, which may be longer 
     return runEase(directory, "run on.toml " + arguments);
   };
   REQUIRE(resume("['t', 'a', 't']", "settle = 2\n", "-o done").code == 0);
+  const auto made = nlohmann::json::parse(contentOf(directory.path / "done/report.json"));
+  CHECK_FALSE(made.contains("resumed_from_step"));
   for (const char* other : {"['t', 'up', 't']", "['t', 'a', 'up', 't']", "['t', 't', 'a']"}) {
     const Outcome outcome = resume(other, "", "--resume done");
     CHECK(outcome.code == 1);
@@ -257,8 +259,15 @@ TEST_CASE("a run that goes on keeps to the way of the body, which may be longer 
   CHECK(std::filesystem::exists(directory.path / "done/report.json"));
 
   REQUIRE(resume("['t', 'a', 't', 'up']", "settle = 4\n[collision]\noffset = 0.008\n", "--resume done").code == 0);
-  CHECK_THAT(contentOf(directory.path / "done/report.json"),  // the T-shirt is that of the offset before
-             Contains("\"steps\": 12") && Contains("\"settle_steps\": 4"));
+  const auto report = nlohmann::json::parse(contentOf(directory.path / "done/report.json"));
+  CHECK(report["vertices"] == made["vertices"]);  // the T-shirt is that of the offset before
+  CHECK(report["resumed_from_step"] == 18);
+  CHECK(report["steps"] == 12);
+  CHECK(report["settle_steps"] == 4);
+  const auto poses = report["sigma_1"]["run"]["poses"];
+  REQUIRE(poses.size() == 4);
+  for (const int not_reached : {0, 1, 2}) CHECK(poses[not_reached]["max"].is_null());
+  CHECK(poses[3]["max"].get<double>() > 0.5);
   CHECK_THAT(contentOf(directory.path / "done/body.pvd"), Contains("body_000015.vtp") && !Contains("body_000016.vtp"));
 }
 
@@ -341,4 +350,22 @@ TEST_CASE("paint in a run that goes on scales the rest shape once, by what is mo
     CHECK(report["rest_growth"]["max"].get<double>() == Approx(scale).epsilon(0.01));
     CHECK(report["rest_growth"]["area_ratio"].get<double>() == Approx(scale * scale).epsilon(0.02));
   }
+}
+
+TEST_CASE("a run that was killed in its replays goes on with them, and leaves its series as they are") {
+  const TemporaryDirectory directory;
+  const auto scene = writeHangingCloth(directory, 8);
+  std::ofstream(scene, std::ios::app) << "[adaption]\n[output]\nevery = 2\n";
+  REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
+  const auto whole = nlohmann::json::parse(contentOf(directory.path / "there/report.json"));
+  const std::string series = contentOf(directory.path / "there/garment.pvd");
+  std::filesystem::remove(directory.path / "there/report.json");
+  REQUIRE(runEase(directory, "run hang.toml --resume there").code == 0);
+  const auto report = nlohmann::json::parse(contentOf(directory.path / "there/report.json"));
+  CHECK(report["resumed_from_step"] == 8);
+  CHECK(report["steps"] == 0);
+  CHECK(report["sigma_1"]["run"]["max"].is_null());
+  CHECK(report["sigma_1"]["before"] == whole["sigma_1"]["before"]);
+  CHECK(report["sigma_1"]["after"] == whole["sigma_1"]["after"]);
+  CHECK(contentOf(directory.path / "there/garment.pvd") == series);
 }
