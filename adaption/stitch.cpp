@@ -57,7 +57,7 @@ void Stitcher::stitch(Cloth& cloth, const std::vector<Mat2>& growth) {
 }
 
 void Stitcher::rescale(Cloth& cloth, const std::vector<double>& scales) {
-  for (int t = 0; t < cloth.triangleCount(); ++t) wanted_[t] = scales[t] * cloth.restEdges()[t];
+  for (int t = 0; t < cloth.triangleCount(); ++t) wanted_[t] *= scales[t];
   fitWanted(cloth, kRescaleIterations);
 }
 

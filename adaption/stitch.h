@@ -28,7 +28,7 @@ class Stitcher {
   /// Gives the cloth the rest shape nearest to its triangles grown by `growth` (2x2 each; identity: as it was).
   void stitch(Cloth& cloth, const std::vector<Mat2>& growth);
 
-  /// Gives the cloth the rest shape nearest to its triangles scaled by these factors, above or below 1.
+  /// Gives the cloth the rest shape nearest to what its triangles ask for scaled by these factors, above or below 1.
   void rescale(Cloth& cloth, const std::vector<double>& scales);
 
   /// D' of every triangle so far, m: all that is remembered; and to go on from there.

@@ -7,7 +7,9 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <string_view>
 
+#include "apps/fingerprint.h"
 #include "solver/mesh/error.h"
 #include "solver/mesh/whole_file.h"
 
@@ -15,7 +17,10 @@ namespace ease {
 
 namespace {
 
-constexpr char kMagic[] = "ease checkpoint 2\n";
+constexpr std::string_view kKind = "ease checkpoint ", kVersion = "3\n";
+
+// A file is kind, version, the fingerprint of all that follows, and the members.
+constexpr size_t kHeader = kKind.size() + kVersion.size() + sizeof(std::uint64_t);
 
 /// Appends to, or takes from, a string of bytes: one list of members serves both ways.
 struct Writer {
@@ -31,10 +36,11 @@ struct Writer {
     number(count);
     raw(values.data(), count * sizeof(T));
   }
-  void rows(const Positions& x) {
+  template <class Rows>
+  void rows(const Rows& x) {
     const std::uint64_t count = x.rows();
     number(count);
-    raw(x.data(), count * 3 * sizeof(double));
+    raw(x.data(), count * 3 * sizeof *x.data());
   }
 };
 
@@ -61,51 +67,64 @@ struct Reader {
     values.resize(count(sizeof(T)));
     raw(values.data(), values.size() * sizeof(T));
   }
-  void rows(Positions& x) {
-    x.resize(static_cast<long>(count(3 * sizeof(double))), 3);
-    raw(x.data(), x.size() * sizeof(double));
+  template <class Rows>
+  void rows(Rows& x) {
+    x.resize(static_cast<long>(count(3 * sizeof *x.data())), 3);
+    raw(x.data(), x.size() * sizeof *x.data());
   }
 };
 
 template <class Bytes, class C>
 void members(Bytes& bytes, C& c) {
-  bytes.number(c.time_steps);
+  bytes.number(c.done);
+  bytes.array(c.poses_met);
   bytes.number(c.time_step_s);
   bytes.number(c.steps_per_pose);
   bytes.number(c.interpolation_steps);
-  bytes.rows(c.state.positions);
-  bytes.rows(c.state.velocities);
-  bytes.rows(c.rest_positions);
-  bytes.array(c.rest_edges);
-  bytes.array(c.wanted_edges);
-  bytes.array(c.pinned);
+  bytes.rows(c.start.mesh.positions);
+  bytes.rows(c.start.mesh.triangles);
+  bytes.number(c.start.offset);
   bytes.array(c.numbering.vertices);
   bytes.array(c.numbering.triangles);
+  bytes.rows(c.state.positions);
+  bytes.rows(c.state.velocities);
+  bytes.rows(c.first_rest.positions);
+  bytes.array(c.first_rest.edges);
+  bytes.rows(c.rest.positions);
+  bytes.array(c.rest.edges);
+  bytes.array(c.paint);
+  bytes.array(c.wanted_edges);
+  bytes.array(c.pinned);
 }
 
 }  // namespace
 
 void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint) {
-  Writer writer;
-  writer.bytes = kMagic;
-  members(writer, checkpoint);
-  writeWholeFile(file, writer.bytes);
+  Writer header, content;
+  members(content, checkpoint);
+  header.bytes.append(kKind).append(kVersion);
+  header.number(fingerprint(content.bytes.data(), content.bytes.size()));
+  writeWholeFile(file, header.bytes + content.bytes);
 }
 
 Checkpoint readCheckpoint(const std::filesystem::path& file) {
+  const auto refuse = [&](const char* why) { throw InputError(fmt::format("{}: {}", file.string(), why)); };
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(fmt::format("{}: cannot be read: expected the directory of an earlier run", file.string()));
+  if (!in) refuse("cannot be read");
   std::ostringstream content;
   content << in.rdbuf();
   const std::string bytes = content.str();
-  if (!bytes.starts_with(kMagic)) throw InputError(fmt::format("{}: is no checkpoint of this version", file.string()));
-  Reader reader{bytes, sizeof kMagic - 1};
+  if (!bytes.starts_with(kKind)) refuse("is no checkpoint");
+  if (!bytes.substr(kKind.size()).starts_with(kVersion))
+    refuse("is a checkpoint of another version of ease: expected one of this version; start the run anew");
+  if (bytes.size() < kHeader) refuse("is cut short");
+  Reader reader{bytes, kKind.size() + kVersion.size()};
+  std::uint64_t written = 0;
+  reader.number(written);
+  if (fingerprint(bytes.data() + kHeader, bytes.size() - kHeader) != written)
+    refuse("is damaged or cut short: its content is not what was written");
   Checkpoint checkpoint;
-  try {
-    members(reader, checkpoint);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  members(reader, checkpoint);
   return checkpoint;
 }
 

@@ -11,6 +11,7 @@
 #include "apps/garment_files.h"
 #include "apps/progress.h"
 #include "apps/report.h"
+#include "apps/resume.h"
 #include "apps/run.h"
 #include "solver/mesh/error.h"
 #include "solver/mesh/mesh_io.h"
@@ -22,7 +23,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kCheckpoint = "checkpoint.bin";
 constexpr double kShownStretch = 0.1;  // marked in the picture of a run that has no limit
 
 double secondsSince(Clock::time_point start) {
@@ -101,15 +101,18 @@ class Job {
     }
   }
 
+  StepsDone done() const { return from_ ? from_->done : StepsDone(); }
+
   /// s of motion; -1: from the start.
-  double resumedAt() const { return from_ ? (from_->time_steps + 0.5) * from_->time_step_s : -1.0; }
+  double resumedAt() const { return from_ ? (from_->done.all + 0.5) * from_->time_step_s : -1.0; }
 
   void setUp() {
     cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
-    if (!input_.paint.empty())
+    if (from_)
+      cloth_->setRest(from_->first_rest.positions, from_->first_rest.edges);
+    else if (!input_.paint.empty())
       Stitcher(*cloth_, systemOrdering(cloth_->vertexCount(), cloth_->triangles())).rescale(*cloth_, input_.paint);
-    first_positions_ = cloth_->restPositions();
-    first_edges_ = cloth_->restEdges();
+    first_rest_ = {cloth_->restPositions(), cloth_->restEdges()};
     first_inverse_ = cloth_->restInverse();
     first_areas_ = cloth_->restAreas();
     if (scene_.body) body_.emplace(movingBody(scene_, input_));
@@ -118,9 +121,10 @@ class Job {
     report_.time_step_s = scene_.solver.time_step;
     report_.limit = scene_.adaption ? scene_.adaption->limit : 0.0;
     report_.pose_names = input_.pose_names;
+    if (from_) report_.resumed_from_step = from_->done.all;
     report_.warnings = input_.warnings;
     const long replays = scene_.adaption && scene_.adaption->verify ? 2 : 0;
-    progress_.emplace(static_cast<long>(timeline(scene_, true).size()) +
+    progress_.emplace(static_cast<long>(timeline(scene_, true, done()).size()) +
                       replays * static_cast<long>(timeline(scene_, false).size()));
   }
 
@@ -138,12 +142,16 @@ class Job {
   void adaptingRun() {
     std::optional<SeriesOfRun> series;
     RunOptions run_options = options(true, scene_.adaption ? "adapting" : "simulating");
-    if (scene_.output) {
+    const bool moves_on = !timeline(scene_, true, done()).empty();  // otherwise the replays alone are left
+    if (scene_.output && moves_on) {
       series.emplace(directory_, given_.garment.triangles, numbering_, input_.body_triangles, resumedAt());
       run_options.series = &*series;
     }
     run_options.keep = [&](Checkpoint checkpoint) {
+      checkpoint.start = from_ ? from_->start : StartGarment{given_.garment, scene_.collision.offset};
       checkpoint.numbering = numbering_;
+      checkpoint.first_rest = first_rest_;
+      checkpoint.poses_met = posesMet(scene_, input_, checkpoint.done);
       if (series) series->finish();  // its frames are there before what goes on from them
       writeCheckpoint(directory_ / kCheckpoint, checkpoint);
     };
@@ -170,17 +178,15 @@ class Job {
   }
 
   void replays() {
-    const Positions adapted_positions = cloth_->restPositions();
-    const std::vector<Mat2> adapted_edges = cloth_->restEdges();
-    replay(first_positions_, first_edges_, "replaying the first rest shape", report_.before, before_);
-    replay(adapted_positions, adapted_edges, "replaying the adapted rest shape", report_.after, after_);
+    const RestShape adapted{cloth_->restPositions(), cloth_->restEdges()};
+    replay(first_rest_, "replaying the first rest shape", report_.before, before_);
+    replay(adapted, "replaying the adapted rest shape", report_.after, after_);
     report_.verified = !interrupted_;
   }
 
-  void replay(const Positions& rest, const std::vector<Mat2>& edges, const char* what, PassRecord& record,
-              FirstAndLast& shown) {
+  void replay(const RestShape& rest, const char* what, PassRecord& record, FirstAndLast& shown) {
     if (interrupted_) return;
-    cloth_->setRest(rest, edges);
+    cloth_->setRest(rest.positions, rest.edges);
     State state;
     runMotion(scene_, input_, body(), *cloth_, options(false, what), state, record);
     shown = {shownAt(input_.garment.positions), shownAt(state.positions)};
@@ -208,9 +214,8 @@ class Job {
           drawStretch(directory_ / name, views, "largest principal stretch", 1.0, 1.0 + 2.0 * limit, 1.0 + limit);
       if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
     };
-    const std::vector<Moment> moments = timeline(scene_, !report_.verified);
     Positions last;
-    if (body_) body_->positions(moments.empty() ? 0.0 : moments.back().body, last);
+    if (body_) last = input_.poses[posesOfMotion(scene_, !report_.verified).back()];
     if (report_.verified) {
       draw("stretch.png", last, {{"before", &before_.last}, {"after", &after_.last}});
       draw("stretch_first_pose.png", body_ ? input_.poses.front() : last,
@@ -254,8 +259,8 @@ class Job {
 
   std::optional<Cloth> cloth_;
   std::optional<MovingBody> body_;
-  Positions first_positions_;
-  std::vector<Mat2> first_edges_, first_inverse_;
+  RestShape first_rest_;
+  std::vector<Mat2> first_inverse_;
   std::vector<double> first_areas_;
   State state_;
   FirstAndLast before_, after_;
@@ -264,23 +269,6 @@ class Job {
 };
 
 }  // namespace
-
-Checkpoint checkpointIn(const std::filesystem::path& directory, const Scene& scene, const SceneInput& input) {
-  const std::filesystem::path file = directory / kCheckpoint;
-  const Checkpoint from = readCheckpoint(file);
-  const auto expectSame = [&](const char* key, double before, double now) {
-    if (before != now)
-      throw InputError(fmt::format("{}: {} was {:g} and is {:g}: expected the same, to go on from there", file.string(),
-                                   key, before, now));
-  };
-  expectSame("the garment's number of vertices", from.state.positions.rows(), input.garment.positions.rows());
-  expectSame("the garment's number of triangles", from.rest_edges.size(), input.garment.triangles.rows());
-  if (!isNumbering(from.numbering, input.garment)) throw InputError(fmt::format("{}: is damaged", file.string()));
-  expectSame("[solver] time_step", from.time_step_s, scene.solver.time_step);
-  expectSame("[solver] steps_per_pose", from.steps_per_pose, scene.solver.steps_per_pose);
-  expectSame("[body] steps", from.interpolation_steps, scene.body ? scene.body->steps : 0);
-  return from;
-}
 
 bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
               const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& from) {

@@ -15,8 +15,4 @@ namespace ease {
 bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
               const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& from = std::nullopt);
 
-/// The checkpoint that an earlier run left in `directory`.  Throws InputError where there is none, or where the scene
-/// is not one that can go on from it.
-Checkpoint checkpointIn(const std::filesystem::path& directory, const Scene& scene, const SceneInput& input);
-
 }  // namespace ease

@@ -18,6 +18,7 @@
 #include "apps/garment_files.h"
 #include "apps/job.h"
 #include "apps/result_directory.h"
+#include "apps/resume.h"
 #include "apps/scene.h"
 #include "apps/timeline.h"
 #include "apps/words.h"
@@ -77,8 +78,9 @@ void say(const char* kind, const std::string& line) {
   fmt::print(stderr, "ease: {}: {}\n", kind, line);
 }
 
-SceneInput readWithWarnings(const Scene& scene) {
-  return readSceneInput(scene, [](const std::string& warning) { say("warning", warning); });
+SceneInput readWithWarnings(const Scene& scene, const StartGarment* before = nullptr) {
+  return readSceneInput(
+      scene, [](const std::string& warning) { say("warning", warning); }, before);
 }
 
 /// What `ease check` prints: enough to see whether the scene is the one that was meant.
@@ -162,11 +164,17 @@ ExitCode runCommand(const Arguments& arguments) {
   const int threads = scene.solver.threads;
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   return arena.execute([&] {
-    const SceneInput input = readWithWarnings(scene);
-    divisionFor(scene, input);  // refuses what cannot be simulated
-    if (interrupted) return interruptedBeforeWriting();
     std::optional<Checkpoint> from;
-    if (!arguments.resumed.empty()) from = checkpointIn(arguments.resumed, scene, input);
+    if (!arguments.resumed.empty()) from = checkpointIn(arguments.resumed);
+    const SceneInput input = readWithWarnings(scene, from ? &from->start : nullptr);
+    divisionFor(scene, input);  // refuses what cannot be simulated
+    if (from) checkGoesOn(*from, arguments.resumed, scene, input);
+    if (interrupted) return interruptedBeforeWriting();
+    if (from && timeline(scene, true, from->done).empty() && isFinished(arguments.resumed)) {
+      fmt::print("nothing left to do: the run in {} is at the end; it goes on with more poses, cycles or steps\n",
+                 arguments.resumed);
+      return kDone;
+    }
     const ResultDirectory made(directory);
     made.removeOldGarment(scene);
     if (input.authored) writeGarment(scene, input, directory, interrupted);
@@ -233,8 +241,9 @@ ExitCode commandLine(int argc, char** argv) {
   run->add_option("--threads", arguments.threads, "Number of threads, 0 for all; by default as the scene says")
       ->check(CLI::Range(0, 1024));
   run->add_option("--resume", arguments.resumed,
-                  "Go on where the run in this directory stopped; the scene may have other pins, material, offset, "
-                  "adaption, method, or more poses or cycles.  Results go there too, unless -o says otherwise")
+                  "Go on where the run in this directory stopped; the scene may have other pins, paint, material, "
+                  "offset, adaption, method, or more poses or cycles after those that the body has met.  Results go "
+                  "there too, unless -o says otherwise")
       ->check([](const std::string& directory) { return directory.empty() ? "expected a directory's name" : ""; });
   run->footer(kRunExamples);
   CLI::App* check = app.add_subcommand("check", "Read and check all that run would use; compute nothing");

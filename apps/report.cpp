@@ -14,15 +14,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Without adaption there is no limit to be over.
-Json statistics(const StretchStatistics& s, bool limited) {
-  Json json = {{"max", s.max}, {"p99", s.p99}};
-  if (limited) json["share_over_limit"] = s.share_over_limit;
+// Without adaption there is no limit to be over.  Null: not measured.
+Json statistics(const std::optional<StretchStatistics>& s, bool limited) {
+  Json json = {{"max", s ? Json(s->max) : Json()}, {"p99", s ? Json(s->p99) : Json()}};
+  if (limited) json["share_over_limit"] = s ? Json(s->share_over_limit) : Json();
   return json;
 }
 
 Json stretchRecord(const StretchRecord& record, const std::vector<std::string>& pose_names, bool limited) {
-  Json json = statistics(record.overall, limited);
+  Json json = statistics(record.moments > 0 ? std::optional(record.overall) : std::nullopt, limited);
   json["poses"] = Json::array();
   for (size_t p = 0; p < record.poses.size(); ++p) {
     Json pose = {{"pose", pose_names[p]}};
@@ -64,6 +64,7 @@ Json toJson(const Report& report, const Scene& scene) {
   json["vertices"] = report.vertices;
   json["triangles"] = report.triangles;
   json["poses"] = report.pose_names.size();
+  if (report.resumed_from_step) json["resumed_from_step"] = *report.resumed_from_step;
   json["steps"] = run.steps;
   json["parts_of_time_step"] = run.division.time_steps;
   json["parts_of_interpolation_step"] = run.division.interpolation_steps;
@@ -95,12 +96,12 @@ Json toJson(const Report& report, const Scene& scene) {
     deepest.centroids = std::max(deepest.centroids, pass->penetration.centroids);
   }
   json["penetration_mm"] = penetration(deepest);
-  json["penetration_mm"]["run"] = penetration(run.penetration);
+  json["penetration_mm"]["run"] = run.steps > 0 ? penetration(run.penetration) : Json();
   if (report.verified) {
     json["penetration_mm"]["before"] = penetration(report.before.penetration);
     json["penetration_mm"]["after"] = penetration(report.after.penetration);
   }
-  json["final_speed_m_s"] = run.final_speed_m_s;
+  json["final_speed_m_s"] = run.stretch.moments > 0 ? Json(run.final_speed_m_s) : Json();
   const std::string& method = scene.solver.method;
   Json solver = {{"time_step_s", report.time_step_s}};
   if (method == "auto" || method == "pd-lbfgs") solver["tolerance"] = scene.solver.tolerance;
@@ -132,6 +133,7 @@ Json toJson(const Report& report, const Scene& scene) {
 }  // namespace
 
 void StretchRecord::measured(const StretchStatistics& moment) {
+  ++moments;
   overall.max = std::max(overall.max, moment.max);
   overall.p99 = std::max(overall.p99, moment.p99);
   overall.share_over_limit = std::max(overall.share_over_limit, moment.share_over_limit);

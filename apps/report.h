@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,12 @@
 
 namespace ease {
 
-/// Stretch of the cloth through one run of the motion: the worst of all measured moments, and as it was in each pose.
+/// Stretch of the cloth through one run of the motion: the worst of all measured moments, and as it was in each pose
+/// that was reached.
 struct StretchRecord {
   StretchStatistics overall;
-  std::vector<StretchStatistics> poses;
+  int moments = 0;  // measured
+  std::vector<std::optional<StretchStatistics>> poses;
   void measured(const StretchStatistics& moment);
 };
 
@@ -42,6 +45,7 @@ struct Report {
   double time_step_s = 0.0;
   double limit = 0.0;  // 0: no adaption
   std::vector<std::string> pose_names;
+  std::optional<int> resumed_from_step;  // of a run that goes on; all it counts, it counts from there
   PassRecord run;
   bool verified = false;
   PassRecord before, after;  // replays on the first and on the adapted rest shape

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <span>
 
 #include "adaption/clip.h"
 #include "adaption/stitch.h"
 #include "apps/frames.h"
 #include "apps/garment_pins.h"
 #include "apps/stopwatch.h"
+#include "garment/paint.h"
 #include "solver/linear/parallel.h"
 #include "solver/mesh/error.h"
 
@@ -55,27 +55,27 @@ class Run {
         vertex_count_(cloth.vertexCount()),
         edge_count_(static_cast<int>(cloth.topology().edges.size())),
         most_recovery_(kRecoverySpeed * scene.solver.time_step + bodyMotionOfStep(scene, input)),
-        contact_stiffness_(contactStiffness(scene, input, cloth)),
-        motion_steps_(timeStepsOfMotion(scene) * (options.adapting && scene.adaption ? scene.adaption->cycles : 1)) {
+        contact_stiffness_(contactStiffness(scene, input, cloth)) {
     if (!options.adapting || !scene.adaption) return;
     clip_.emplace(cloth, scene.adaption->limit);
     stitcher_.emplace(cloth, ordering_);
   }
 
   void operator()() {
-    const std::vector<Moment> moments = timeline(scene_, options_.adapting);
-    const size_t done = options_.from ? options_.from->time_steps * record_.division.time_steps : 0;
-    const double body = done == 0 || moments.empty() ? 0.0 : moments[std::min(done, moments.size()) - 1].body;
+    const int parts = record_.division.time_steps;
+    const StepsDone before = options_.from ? options_.from->done : StepsDone();
+    const StepsDone done{before.all * parts, before.moving * parts, before.still * parts};
+    const std::vector<Moment> moments = timeline(scene_, options_.adapting, done);
+    const double body = done.moving / static_cast<double>(scene_.solver.steps_per_pose);
     record_.contact_stiffness = contact_stiffness_;
-    begin(body, done < moments.size() ? moments[done].body : body);
-    for (const Moment& moment : std::span(moments).subspan(std::min(done, moments.size()))) {
+    begin(body, moments.empty() ? body : moments.front().body);
+    for (const Moment& moment : moments) {
       if (options_.interrupted && *options_.interrupted) return;
       try {
         advance(moment);
       } catch (const ComputationError& error) {
-        throw ComputationError(fmt::format("time step {} ({:.4f} s): {}",
-                                           (moment.step - 1) / record_.division.time_steps + 1, moment.time_s,
-                                           error.what()));
+        throw ComputationError(
+            fmt::format("time step {} ({:.4f} s): {}", (moment.done.all - 1) / parts + 1, moment.time_s, error.what()));
       }
       if (moment.measured) measure(moment);
       if (moment.adapts) adapt();
@@ -97,15 +97,18 @@ class Run {
     }
     pin(body);
     if (options_.from) return;
-    const Moment start{0, 0.0, 0.0, -1, body_ ? 0 : -1, false, true, options_.series != nullptr, false};
+    const Moment start{{}, 0.0, 0.0, -1, body_ ? 0 : -1, false, false, true, options_.series != nullptr, false};
     measure(start);
     if (options_.series) write(start);
   }
 
   void goOn(const Checkpoint& from) {
     state_ = from.state;
-    cloth_.setRest(from.rest_positions, from.rest_edges);
-    if (stitcher_ && !from.wanted_edges.empty()) stitcher_->restore(from.wanted_edges);
+    std::optional<Stitcher> for_paint;
+    Stitcher& stitcher = stitcher_ ? *stitcher_ : for_paint.emplace(cloth_, ordering_);  // of the first rest shape
+    cloth_.setRest(from.rest.positions, from.rest.edges);
+    stitcher.restore(from.wanted_edges.empty() ? from.rest.edges : from.wanted_edges);
+    if (const auto more = paintBetween(from.paint, input_.paint); !more.empty()) stitcher.rescale(cloth_, more);
   }
 
   /// Vertices pinned from the start keep their place on the first pose; those that a changed scene pins while going on,
@@ -125,13 +128,13 @@ class Run {
     const Stopwatch watch(record_.output_s);
     const int parts = record_.division.time_steps;
     Checkpoint checkpoint;
-    checkpoint.time_steps = moment.step / parts;
+    checkpoint.done = {moment.done.all / parts, moment.done.moving / parts, moment.done.still / parts};
     checkpoint.time_step_s = scene_.solver.time_step * parts;
     checkpoint.steps_per_pose = scene_.solver.steps_per_pose * record_.division.interpolation_steps / parts;
     checkpoint.interpolation_steps = scene_.body ? scene_.body->steps / record_.division.interpolation_steps : 0;
     checkpoint.state = state_;
-    checkpoint.rest_positions = cloth_.restPositions();
-    checkpoint.rest_edges = cloth_.restEdges();
+    checkpoint.paint = input_.paint;
+    checkpoint.rest = {cloth_.restPositions(), cloth_.restEdges()};
     if (stitcher_) checkpoint.wanted_edges = stitcher_->wanted();
     checkpoint.pinned = pins_.vertices();
     options_.keep(std::move(checkpoint));
@@ -158,9 +161,9 @@ class Run {
     const StepSummary step = step_.step(state_, options, pinsAt(moment), [&](const Positions& x, Contacts& contacts) {
       findContacts(moment, x, contacts);
     });
-    if (moment.step % record_.division.time_steps == 0) {
+    if (moment.done.all % record_.division.time_steps == 0) {
       ++record_.steps;
-      if (moment.step > motion_steps_) ++record_.settle_steps;
+      if (moment.settles) ++record_.settle_steps;
     }
     record_.contact = contacts_.rescues();
     record_.newton_iterations += step.newton_iterations;
@@ -204,7 +207,7 @@ class Run {
     if (!body_) return;
     sampleCloth(state_.positions, cloth_.triangles(), cloth_.topology().edges, samples_);
     contacts_.distances(body_->at(moment.body), samples_, distances_);
-    if (moment.step > 0) record_.penetration.deepen(distances_, vertex_count_, edge_count_);
+    if (moment.done.all > 0) record_.penetration.deepen(distances_, vertex_count_, edge_count_);
   }
 
   void adapt() {
@@ -248,7 +251,6 @@ class Run {
   int vertex_count_, edge_count_;
   double most_recovery_;      // m in a time step
   double contact_stiffness_;  // N/m^3
-  int motion_steps_;          // without settling
   GarmentPins pins_;
   std::vector<Vec3> samples_, expected_samples_;
   std::vector<double> sample_offsets_, distances_, gap_, pressure_;
@@ -282,7 +284,7 @@ void runMotion(const Scene& scene, const SceneInput& input, MovingBody* body, Cl
   RunOptions fine_options = options;
   if (options.on_step)
     fine_options.on_step = [&](const Moment& moment) {
-      if (moment.step % record.division.time_steps == 0) options.on_step(moment);
+      if (moment.done.all % record.division.time_steps == 0) options.on_step(moment);
     };
   Run one(fine, input, body, cloth, fine_options, state, record);
   try {

@@ -23,7 +23,7 @@ struct RunOptions {
   const std::vector<double>* first_areas = nullptr;  // of the first rest shape, m^2
   std::function<void(const Moment&)> on_step;        // after every step
   const std::atomic<bool>* interrupted = nullptr;
-  std::function<void(Checkpoint)> keep;  // given now and then, its numbering left empty
+  std::function<void(Checkpoint)> keep;  // given now and then, without what the run does not know
   const Checkpoint* from = nullptr;      // go on from there; none: from the start
 };
 

@@ -103,9 +103,16 @@ struct SceneInput {
 /// What to do with a warning, one line.
 using Warn = std::function<void(const std::string&)>;
 
+/// The garment that a run began with, on the first pose, numbered as it came.
+struct StartGarment {
+  TriangleMesh mesh;
+  double offset = 0.0;  // m: that a built-in one was made for
+};
+
 /// Reads meshes and checks all that a run relies on; makes the garment that has tools.  Throws InputError.  `tell`: is
-/// given every warning as soon as it is known, since what follows may fail for the same reason.
-SceneInput readSceneInput(const Scene& scene, const Warn& tell = nullptr);
+/// given every warning as soon as it is known, since what follows may fail for the same reason.  `before`: of a run
+/// that goes on; the scene's garment must have its triangles, and takes its positions.
+SceneInput readSceneInput(const Scene& scene, const Warn& tell = nullptr, const StartGarment* before = nullptr);
 
 /// The same garment, its vertices and triangles in another order; without what authoring alone knows.
 SceneInput renumbered(const SceneInput& input, const Numbering& numbering);

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "apps/pinned_vertices.h"
+#include "apps/resume.h"
 #include "collision/mannequin.h"
 #include "collision/triangle_tree.h"
 #include "garment/builtin_garment.h"
@@ -132,8 +133,8 @@ auto ofGarment(const Scene& scene, const Make& make) {
   }
 }
 
-/// Reads or makes the garment; returns what to call it in messages.
-std::string readGarment(const Scene& scene, const Warn& warn, SceneInput& input) {
+/// Reads or makes the garment; returns what to call it in messages.  `offset`: that a built-in one is made for, m.
+std::string readGarment(const Scene& scene, double offset, const Warn& warn, SceneInput& input) {
   const GarmentScene& garment = scene.garment;
   if (garment.tools) {
     input.authored = ofGarment(scene, [&] {
@@ -147,7 +148,7 @@ std::string readGarment(const Scene& scene, const Warn& warn, SceneInput& input)
     return name;
   }
   if (!garment.builtin.empty()) {
-    input.garment = builtinGarment(garment.builtin, garment.vertices, scene.collision.offset);
+    input.garment = builtinGarment(garment.builtin, garment.vertices, offset);
     return fmt::format("{}: [garment] builtin = '{}'", scene.file.string(), garment.builtin);
   }
   const std::filesystem::path file = besideScene(scene, garment.mesh);
@@ -212,7 +213,7 @@ void checkStart(const SceneInput& input, const std::string& garment_name) {
 
 }  // namespace
 
-SceneInput readSceneInput(const Scene& scene, const Warn& tell) {
+SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarment* before) {
   SceneInput input;
   const Warn warn = [&](const std::string& warning) {
     input.warnings.push_back(warning);
@@ -225,7 +226,8 @@ SceneInput readSceneInput(const Scene& scene, const Warn& tell) {
                     scene.file.string(), scene.adaption->limit, 1.0 + scene.adaption->limit));
   // A garment that is authored needs its body; otherwise its faults are told first.
   if (scene.garment.tools) readPoses(scene, warn, input);
-  const std::string name = readGarment(scene, warn, input);
+  const std::string name = readGarment(scene, before ? before->offset : scene.collision.offset, warn, input);
+  if (before) startAs(*before, name, warn, input);
   checkGeometry(input.garment, name);
   checkVerticesUsed(input.garment, name);
   const Topology topology = buildTopology(input.garment, name);

@@ -20,32 +20,46 @@ constexpr double kMostMotionOfPose = 0.03;  // m, in an interpolation step
 
 }  // namespace
 
-std::vector<Moment> timeline(const Scene& scene, bool adapting) {
-  const int per_pose = scene.solver.steps_per_pose;
-  const int poses = scene.body ? static_cast<int>(scene.body->poses.size()) : 0;
-  const int steps_between = scene.body ? scene.body->steps : 0;
-  const bool adapts = adapting && scene.adaption;
-  const int motion = timeStepsOfMotion(scene) * (adapts ? scene.adaption->cycles : 1);
-  const int count = motion + (adapts ? scene.adaption->settle : 0);
-  const auto bodyAt = [&](int step) {
-    return poses > 1 ? std::min(step, motion) / static_cast<double>(per_pose) : 0.0;
-  };
+std::vector<int> posesOfMotion(const Scene& scene, bool adapting) {
+  if (!scene.body) return {};
+  const int poses = static_cast<int>(scene.body->poses.size()), legs = poses - 1;
+  std::vector<int> order = {0};
+  for (int leg = 1; leg <= legs * (adapting && scene.adaption ? scene.adaption->cycles : 1); ++leg) {
+    const int there_and_back = leg % (2 * legs);
+    order.push_back(there_and_back < poses ? there_and_back : 2 * legs - there_and_back);
+  }
+  return order;
+}
 
+std::vector<Moment> timeline(const Scene& scene, bool adapting, const StepsDone& done) {
+  const int per_pose = scene.solver.steps_per_pose;
+  const int steps_between = scene.body ? scene.body->steps : 0;
+  const bool adapts = adapting && scene.adaption, moves = scene.body && scene.body->poses.size() > 1;
+  const std::vector<int> poses = posesOfMotion(scene, adapting);
+  const int motion = timeStepsOfMotion(scene) * (adapts ? scene.adaption->cycles : 1);
+  const int moving = moves ? motion : 0, held = motion - moving, still = held + (adapts ? scene.adaption->settle : 0);
+
+  StepsDone now = done;
+  const int left = std::max(0, moving - done.moving);
+  if (left > 0) now.still = 0;
+  const int count = left + std::max(0, still - now.still);
   std::vector<Moment> moments;
-  for (int step = 1; step <= count; ++step) {
-    Moment m{step, step * scene.solver.time_step, bodyAt(step), -1, -1, false, false, false, false};
-    const long next = std::lround(bodyAt(step + 1));
-    if (poses > 1 && next != std::lround(m.body)) m.next_level_set = static_cast<int>(next);
-    if (poses > 1 && step <= motion && step % (per_pose * steps_between) == 0) {
-      const int leg = step / (per_pose * steps_between) % (2 * (poses - 1));  // there and back again
-      m.pose = leg < poses ? leg : 2 * (poses - 1) - leg;
-    }
+  for (int k = 1; k <= count; ++k) {
+    ++now.all;
+    ++(k <= left ? now.moving : now.still);
+    const auto bodyAt = [&](int step) { return step / static_cast<double>(per_pose); };
+    Moment m{now,  now.all * scene.solver.time_step, bodyAt(now.moving), -1, -1, now.still > held, false, false, false,
+             false};
+    const long next = std::lround(bodyAt(now.moving + (k < left ? 1 : 0)));
+    if (next != std::lround(m.body)) m.next_level_set = static_cast<int>(next);
+    const int leg = per_pose * steps_between;
+    if (k <= left && now.moving % leg == 0) m.pose = poses[now.moving / leg];
     const int every = scene.adaption ? scene.adaption->every : scene.output ? scene.output->every : 8;
-    m.adapts = adapts && step % every == 0;
-    m.written = adapting && scene.output && (step % scene.output->every == 0 || step == count);
-    m.measured = m.written || m.adapts || m.pose >= 0 || step % every == 0 || step == count;
-    const bool tenth_frame = scene.output && step % (kFramesACheckpoint * scene.output->every) == 0;
-    m.kept = adapting && (tenth_frame || m.pose >= 0 || step == count);
+    m.adapts = adapts && now.all % every == 0;
+    m.written = adapting && scene.output && (now.all % scene.output->every == 0 || k == count);
+    m.measured = m.written || m.adapts || m.pose >= 0 || now.all % every == 0 || k == count;
+    const bool tenth_frame = scene.output && now.all % (kFramesACheckpoint * scene.output->every) == 0;
+    m.kept = adapting && (tenth_frame || m.pose >= 0 || k == count);
     moments.push_back(m);
   }
   return moments;

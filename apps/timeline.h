@@ -9,18 +9,31 @@
 
 namespace ease {
 
+/// How far a run is, in time steps.
+struct StepsDone {
+  int all = 0;
+  int moving = 0;  // of these, those in which the body moved: its place on its way
+  int still = 0;   // since it moved last
+};
+
 struct Moment {
-  int step;  // 1, 2, ...
+  StepsDone done;  // with this step
   double time_s;
   double body;                     // s
   int next_level_set;              // to be prepared while this step is computed, since the next one needs it; -1: none
   int pose;                        // reached now; -1: none
+  bool settles;                    // after the motion
   bool adapts, measured, written;  // what is written or adapted has been measured
   bool kept;                       // as a checkpoint, from which a later run can go on
 };
 
-/// `adapting`: the run that adapts, with its cycles and its settling; otherwise once through the motion.
-std::vector<Moment> timeline(const Scene& scene, bool adapting);
+/// Numbers of the body's poses in the order of its motion, forth and back.  `adapting`: the run that adapts, with its
+/// cycles and its settling; otherwise once through the motion.
+std::vector<int> posesOfMotion(const Scene& scene, bool adapting);
+
+/// What is left to do.  The body goes on from where it is on its way; where that was the end of a shorter motion, on
+/// which it stood already, it stands anew at the end of this one.
+std::vector<Moment> timeline(const Scene& scene, bool adapting, const StepsDone& done = {});
 
 /// How far the body's surface near the garment moves in a time step, at most, m.
 double bodyMotionOfStep(const Scene& scene, const SceneInput& input);

@@ -91,7 +91,7 @@ class Trial {
     const StepError e = judge_->judge(from, case_.h, moved.positions);
     auto& counters = state.counters;
     counters["error"] = e.error;
-    counters["error_of_motion"] = e.error_of_motion;
+    counters["of_start"] = e.of_start;
     counters["energy_gap"] = e.energy_gap;
     counters["largest_mm"] = e.largest_mm;
     counters["residual_m_s2"] = e.residual_m_s2;

@@ -68,10 +68,9 @@ StepError StepJudge::judge(const ReferenceStep& step, double h, const Positions&
   for (Point* point : {&here, &guess, &minimum}) point->evaluate(potential_, fixed);
 
   const Positions off = x - minimum.x;
-  const double distance = massNorm(cloth, off);
   const StretchStatistics stretch = stretchAt(cloth, x), exact = stretchAt(cloth, minimum.x);
-  return {distance / massNorm(cloth, minimum.x - guess.x),
-          distance / massNorm(cloth, minimum.x - step.start.positions),
+  return {relativeLength(potential_, minimum, off),
+          massNorm(cloth, off) / massNorm(cloth, minimum.x - guess.x),
           (here.energy - minimum.energy) / (guess.energy - minimum.energy),
           1e3 * off.rowwise().norm().maxCoeff(),
           residualAcceleration(potential_, here),

@@ -1,12 +1,12 @@
 // How far from its minimum a method left a step of a sheet, against Newton's method taken to round-off.
 //
 //   x        where the method ended            x_ref   the minimum of the step's potential E
-//   x_hat    x_n + h v_n, with pins where they go: where every method starts; its error is 1
+//   x_hat    x_n + h v_n, with pins where they go: where every method starts
 //   |d|_M    sqrt(sum_i m_i |d_i|^2), norm of the masses
 //
-//   error            |x - x_ref|_M / |x_ref - x_hat|_M              relative error of a step
-//   error_of_motion  |x - x_ref|_M / |x_ref - x_n|_M                what [solver] tolerance speaks of
-//   energy_gap       (E(x) - E(x_ref)) / (E(x_hat) - E(x_ref))      may be negative where a step has several minima
+//   error        |x - x_ref|_M over the length that [solver] tolerance is relative to (minimiser.h), at x_ref
+//   of_start     |x - x_ref|_M / |x_ref - x_hat|_M                  1: no better than no step at all
+//   energy_gap   (E(x) - E(x_ref)) / (E(x_hat) - E(x_ref))          may be negative where a step has several minima
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@
 namespace ease {
 
 struct StepError {
-  double error = 0.0, error_of_motion = 0.0, energy_gap = 0.0;
+  double error = 0.0, of_start = 0.0, energy_gap = 0.0;
   double largest_mm = 0.0;         // of a vertex
   double residual_m_s2 = 0.0;      // largest |dE/dx_i| / m_i
   double sigma_1_max_error = 0.0;  // |difference| of the largest principal stretch, which adaption looks at

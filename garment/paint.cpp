@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "solver/mesh/error.h"
 
 namespace ease {
@@ -23,6 +25,14 @@ std::vector<double> paintedScales(const TriangleMesh& garment, const std::vector
                                    b + 1, brush.at.x(), brush.at.y(), brush.at.z(), brush.radius));
   }
   return scales;
+}
+
+std::vector<double> paintBetween(const std::vector<double>& before, const std::vector<double>& after) {
+  if (before == after) return {};
+  std::vector<double> factors = after;
+  factors.resize(std::max(before.size(), after.size()), 1.0);
+  for (size_t t = 0; t < before.size(); ++t) factors[t] /= before[t];
+  return factors;
 }
 
 }  // namespace ease

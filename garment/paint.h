@@ -11,4 +11,7 @@ namespace ease {
 /// InputError, naming its place in the list, where a brush touches no triangle.
 std::vector<double> paintedScales(const TriangleMesh& garment, const std::vector<Brush>& brushes);
 
+/// The factors that lead from one painting to another; either may be empty, nothing painted, and so are equal ones'.
+std::vector<double> paintBetween(const std::vector<double>& before, const std::vector<double>& after);
+
 }  // namespace ease

@@ -37,7 +37,7 @@ class SurfacePaths {
   EdgeCurve curve(std::vector<int> nodes, bool is_closed) const;
 
  private:
-  /// A triangle that holds the edges of all three nodes; -1: none.
+  /// Whether a triangle holds the edges of all three nodes.
   bool shareTriangle(int p, int q, int r) const;
 
   const TriangleMesh& mesh_;

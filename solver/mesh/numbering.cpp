@@ -52,16 +52,6 @@ Numbering spatialNumbering(const TriangleMesh& mesh) {
   return numbering;
 }
 
-bool isNumbering(const Numbering& numbering, const TriangleMesh& mesh) {
-  const auto namesAll = [](std::vector<int> order, long count) {
-    std::ranges::sort(order);
-    for (size_t k = 0; k < order.size(); ++k)
-      if (order[k] != static_cast<int>(k)) return false;
-    return std::ssize(order) == count;
-  };
-  return namesAll(numbering.vertices, mesh.positions.rows()) && namesAll(numbering.triangles, mesh.triangles.rows());
-}
-
 TriangleMesh renumbered(const TriangleMesh& mesh, const Numbering& numbering) {
   const std::vector<int> number = newNumbers(numbering.vertices);
   TriangleMesh ordered = mesh;

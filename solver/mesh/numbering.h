@@ -20,9 +20,6 @@ struct Numbering {
 /// Vertices along the curve; triangles by the first of their vertices.
 Numbering spatialNumbering(const TriangleMesh& mesh);
 
-/// Whether every vertex and every triangle of the mesh is named once.
-bool isNumbering(const Numbering& numbering, const TriangleMesh& mesh);
-
 /// The mesh, its vertices and triangles in their new order; corners of a triangle keep theirs.
 TriangleMesh renumbered(const TriangleMesh& mesh, const Numbering& numbering);
 

@@ -1,7 +1,7 @@
 // Hinge: two triangles that share an edge, and the stencil that measures how far they are from flat.
 //
 //          x2
-//         /  \        b = sum_i K_i x_i     3, dimensionless: zero where the four vertices lie in a plane
+//         /  \        b = sum_i K_i x_i     3, m: zero where the four vertices lie in a plane
 //        / A0 \      .
 //      x0------x1     K from the cotangents of the rest shape (Bergou et al. 2006), constant between rest shapes
 //        \ A1 /

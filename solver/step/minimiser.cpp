@@ -9,6 +9,7 @@ namespace ease {
 
 namespace {
 
+constexpr int kGrain = 1024;
 constexpr int kMostHalvings = 20;
 constexpr double kSufficient = 1e-4;  // of the decrease that the slope promises
 constexpr double kForces = 4.0;       // times what forces add to the motion of a step: as good a measure as the motion
@@ -25,8 +26,9 @@ double stepKinetic(const IncrementalPotential& potential, const Positions& x) {
 void Point::evaluate(IncrementalPotential& potential, const std::vector<char>& fixed) {
   gradient.resize(x.rows(), 3);
   energy = potential.gradient(x, gradient);
-  for (int i = 0; i < x.rows(); ++i)
+  parallelFor(static_cast<int>(x.rows()), kGrain, [&](int i) {
     if (fixed[i]) gradient.row(i).setZero();
+  });
 }
 
 double residualAcceleration(const IncrementalPotential& potential, const Point& point) {
@@ -45,12 +47,13 @@ double relativeLength(const IncrementalPotential& potential, const Point& point,
 }
 
 int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
-                const Positions& direction, Point& next) {
-  const double slope = dot(point.gradient, direction);
+                const Positions& direction, double slope, Point& next) {
   const double round_off = potential.roundOff(point.x, point.energy);
   double scale = 1.0;
   for (int halvings = 0; halvings <= kMostHalvings; ++halvings, scale *= 0.5) {
-    next.x = point.x + scale * direction;
+    next.x.resize(point.x.rows(), 3);
+    parallelFor(static_cast<int>(point.x.rows()), kGrain,
+                [&](int i) { next.x.row(i) = point.x.row(i) + scale * direction.row(i); });
     next.evaluate(potential, fixed);
     const double change = next.energy - point.energy;
     if (change <= kSufficient * scale * slope) return halvings;

@@ -46,9 +46,9 @@ double relativeDecrement(const IncrementalPotential& potential, const Point& poi
 double relativeLength(const IncrementalPotential& potential, const Point& point, const Positions& direction);
 
 /// Goes from `point` along `direction` (all of it, or half, or a quarter ...) until the potential is less, and writes
-/// where it arrives to `next`.  Close to the minimum, where the potential's decrease is lost in rounding, the slope
-/// tells.  Returns the number of halvings, or -1: no decrease.
+/// where it arrives to `next`; slope = gradient . direction, J.  Close to the minimum, where the potential's decrease
+/// is lost in rounding, the slope tells.  Returns the number of halvings, or -1: no decrease.
 int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
-                const Positions& direction, Point& next);
+                const Positions& direction, double slope, Point& next);
 
 }  // namespace ease

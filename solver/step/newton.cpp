@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLinearTolerance = 1e-2;  // of a Newton correction: well below the error of stopping after one
 constexpr double kMostGain = 0.5;          // of a correction over the one before, that is believed to go on
+constexpr double kUnseen = 2.0;            // a correction over what a factor makes of it that is near the matrix
 constexpr int kProjectedSteps = 2;         // iterations before the exact Hessian is tried (again)
 
 }  // namespace
@@ -49,7 +50,7 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     ++summary.iterations;
     if (!ok) throw ComputationError("the linear system of the step is not positive definite");
     const double slope = dot(point.gradient, direction_), length = relativeLength(potential, point, direction_);
-    const int halvings = searchAlong(potential, fixed, point, direction_, next_);
+    const int halvings = searchAlong(potential, fixed, point, direction_, slope, next_);
     if (halvings < 0) {
       const bool lost = -slope <= potential.roundOff(point.x, point.energy);  // the promised decrease, in rounding
       if (!lost) throw ComputationError("no decrease of the potential along the step");
@@ -61,6 +62,10 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     double next = length;
     if (halvings == 0 && previous > 0.0) next *= std::clamp(length / previous, kMostGain, 1.0);
     previous = length;
+    if (stop.error > 0.0 && next > stop.error && system_.factorIsNear()) {
+      system_.precondition(point.gradient, direction_);
+      next = std::min(next, kUnseen * relativeLength(potential, point, direction_));
+    }
     if (stop.error > 0.0 && next <= stop.error) {
       summary.converged = true;
       break;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kFactorCost = 35.0;  // iterations that take about as long as a factor
 constexpr int kMostIterations = 80;   // with one factor; then a new one
+constexpr int kFewIterations = 8;     // with a factor that is near
 
 }  // namespace
 
@@ -29,6 +30,15 @@ bool NewtonSystem::factor(const BlockMatrix& matrix, std::span<const char> fixed
   solves_ = last_iterations_ = 0;
   cost_ = kFactorCost;
   return factored_;
+}
+
+bool NewtonSystem::factorIsNear() const {
+  return factored_ && solves_ > 0 && last_iterations_ <= kFewIterations;
+}
+
+void NewtonSystem::precondition(const Positions& right, Positions& d) {
+  d.resize(right.rows(), 3);
+  panels_.solve(right.data(), d.data(), 1);
 }
 
 SolveSummary NewtonSystem::solve(const BlockMatrix& matrix,

@@ -33,6 +33,11 @@ class NewtonSystem {
   SolveSummary solve(const BlockMatrix& matrix, const std::function<void(const Positions&, Positions&)>& add_product,
                      std::span<const char> fixed, const Positions& right, double tolerance, Positions& d);
 
+  /// Whether the last solve took few iterations, so that precondition() comes close to H^-1.
+  bool factorIsNear() const;
+  /// What the factor makes of `right` by itself, m.
+  void precondition(const Positions& right, Positions& d);
+
   /// The factor no longer serves (other pins).
   void forgetFactor() { factored_ = false; }
 

@@ -14,11 +14,11 @@
 // the stiffness of every sample that can be met, as deep as it may give way.  pd-lbfgs needs less, and what it finds.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "solver/linear/gradient_system.h"
 #include "solver/step/minimiser.h"
+#include "solver/step/secant_pairs.h"
 
 namespace ease {
 
@@ -34,17 +34,12 @@ class Projective {
   /// Makes the next minimise() independent of earlier ones.
   void forget() {
     rest_revision_ = -1;
-    pair_count_ = 0;
+    pairs_.clear();
   }
 
  private:
-  struct Pair {
-    Positions s, y;  // change of position, change of gradient
-    double inverse;  // 1 / (s . y)
-  };
   bool prepare(IncrementalPotential& potential, const std::vector<char>& fixed, bool accelerated, const Positions& x);
-  double direct(const Positions& gradient, bool accelerated);
-  void remember(const Point& from, const Point& to);
+  double direct(const Positions& gradient);
 
   GradientSystem system_;
   // What the factor was made of.
@@ -57,10 +52,7 @@ class Projective {
 
   std::vector<double> contact_now_, diagonal_;
   std::vector<Mat2> scaled_inverse_;
-  static constexpr int kPairs = 5;
-  std::array<Pair, kPairs> pairs_;
-  int pair_count_ = 0, newest_ = -1;
-  std::array<double, kPairs> alpha_;
+  SecantPairs pairs_;
   Positions direction_;
   Point next_;
   std::vector<double> decrements_;  // of this minimise(), relative

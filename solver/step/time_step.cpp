@@ -12,8 +12,11 @@ namespace {
 
 constexpr int kMostNewton = 100;  // iterations of a step
 constexpr int kMostProjective = 1000;
-constexpr int kPatience = 120;   // iterations of pd-lbfgs that cost as much as handing over: 3 or 4 of Newton's
-constexpr int kNewtonSteps = 2;  // after a hand-over, without trying pd-lbfgs
+constexpr int kPatience = 240;  // iterations of pd-lbfgs that cost as much as handing over: 3 or 4 of Newton's
+// In iterations of pd-lbfgs, at 1,000 to 16,000 vertices:
+constexpr double kNewtonCost = 4.0;   // an iteration of Newton's
+constexpr double kCgCost = 2.0;       // one of conjugate gradients in it
+constexpr double kFactorCost = 60.0;  // a factor of its matrix
 constexpr int kMostContactRounds = 4;
 constexpr double kStale = 4e-3;  // m: a vertex that moved this far since contacts were found
 
@@ -88,21 +91,18 @@ void TimeStep::minimise(StepSummary& summary) {
     case Method::automatic:
       break;
   }
-  if (newton_steps_left_ > 0) {
-    --newton_steps_left_;
-    return newton({kMostNewton, options_.tolerance}, summary);
+  if (!choice_.newtonFirst()) {
+    projective({kMostProjective, options_.tolerance, 0.0, kPatience}, true, summary);
+    if (summary.converged) return;
+    summary.handed_over = true;
   }
-  projective({kMostProjective, options_.tolerance, 0.0, kPatience}, true, summary);
-  if (summary.converged) return;
-  summary.handed_over = true;
-  newton_steps_left_ = kNewtonSteps;
   newton({kMostNewton, options_.tolerance}, summary);
 }
 
 void TimeStep::forget() {
   if (newton_) newton_->forget();
   if (projective_) projective_->forget();
-  newton_steps_left_ = 0;
+  choice_ = {};
 }
 
 StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins& pins,
@@ -123,6 +123,10 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
     minimise(summary);
     stale = !contacts_.planes.empty() && (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStale * kStale;
   }
+  if (options_.method == Method::automatic)
+    choice_.took(
+        summary.projective_iterations + kNewtonCost * summary.newton_iterations + kCgCost * summary.cg_iterations,
+        summary.newton_iterations > 0 ? kFactorCost * summary.factorisations : 0.0);
   summary.short_of_tolerance = !summary.converged && options_.method != Method::bw1 && options_.method != Method::pd;
   if (!point_.x.allFinite()) throw ComputationError("a position is not finite");
   state.velocities = (point_.x - state.positions) / options.h;

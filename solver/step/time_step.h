@@ -4,7 +4,8 @@
 //   newton     Newton to a residual
 //   pd         a number of local/global iterations
 //   pd-lbfgs   the same system as inverse Hessian of L-BFGS, to a relative error
-//   auto       pd-lbfgs, handing over to Newton when the error falls too slowly
+//   auto       pd-lbfgs or Newton to a relative error, whichever takes less (method_choice.h); pd-lbfgs hands over to
+//              Newton where its error falls too slowly
 //
 // All minimise the same incremental potential and start at x_n + h v_n.  Contacts are found there, and again where the
 // cloth has ended up far from where they were found.
@@ -15,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/step/method_choice.h"
 #include "solver/step/newton.h"
 #include "solver/step/projective.h"
 
@@ -80,7 +82,7 @@ class TimeStep {
   IncrementalPotential potential_;
   std::optional<Newton> newton_;
   std::optional<Projective> projective_;
-  int newton_steps_left_ = 0;  // auto: before the projective method is tried again
+  MethodChoice choice_;  // auto
   std::vector<char> fixed_;
   Contacts contacts_;
   Positions found_at_;

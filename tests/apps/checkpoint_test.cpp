@@ -14,13 +14,16 @@ namespace {
 
 Checkpoint someCheckpoint() {
   Checkpoint c;
-  c.time_steps = 120;
+  c.done = {130, 120, 10};
+  c.poses_met = {7, 8, 9};
   c.time_step_s = 0.0025;
   c.steps_per_pose = 4;
   c.interpolation_steps = 60;
   c.state = {randomPositions(7, 1), randomPositions(7, 2)};
-  c.rest_positions = randomPositions(7, 3);
-  c.rest_edges.assign(5, (Mat2() << 1.0 / 3.0, 0.1, 0.0, 2.0).finished());
+  c.start = {{randomPositions(7, 4), Triangles::Constant(5, 3, 6)}, 0.005};
+  c.first_rest = {randomPositions(7, 5), std::vector<Mat2>(5, Mat2::Identity())};
+  c.rest = {randomPositions(7, 3), std::vector<Mat2>(5, (Mat2() << 1.0 / 3.0, 0.1, 0.0, 2.0).finished())};
+  c.paint = {1.0, 1.1, 1.2, 1.0, 0.9};
   c.pinned = {3, 1};
   c.numbering = {{6, 5, 4, 3, 2, 1, 0}, {1, 0, 2, 4, 3}};
   return c;
@@ -34,18 +37,44 @@ TEST_CASE("a checkpoint is read as it was written, to the last bit") {
   const Checkpoint written = someCheckpoint();
   writeCheckpoint(file, written);
   const Checkpoint read = readCheckpoint(file);
-  CHECK(read.time_steps == written.time_steps);
+  CHECK(read.done.all == written.done.all);
+  CHECK(read.done.moving == written.done.moving);
+  CHECK(read.done.still == written.done.still);
+  CHECK(read.poses_met == written.poses_met);
   CHECK(read.time_step_s == written.time_step_s);
   CHECK(read.steps_per_pose == written.steps_per_pose);
   CHECK(read.interpolation_steps == written.interpolation_steps);
   CHECK(read.state.positions == written.state.positions);
   CHECK(read.state.velocities == written.state.velocities);
-  CHECK(read.rest_positions == written.rest_positions);
-  CHECK(read.rest_edges == written.rest_edges);
+  CHECK(read.start.mesh.positions == written.start.mesh.positions);
+  CHECK(read.start.mesh.triangles == written.start.mesh.triangles);
+  CHECK(read.start.offset == written.start.offset);
+  CHECK(read.first_rest.positions == written.first_rest.positions);
+  CHECK(read.first_rest.edges == written.first_rest.edges);
+  CHECK(read.rest.positions == written.rest.positions);
+  CHECK(read.rest.edges == written.rest.edges);
+  CHECK(read.paint == written.paint);
   CHECK(read.wanted_edges.empty());
   CHECK(read.pinned == written.pinned);
   CHECK(read.numbering.vertices == written.numbering.vertices);
   CHECK(read.numbering.triangles == written.numbering.triangles);
+}
+
+TEST_CASE("a checkpoint of which one bit changed is refused, and so is one of an older version") {
+  const TemporaryDirectory directory;
+  const auto file = directory.path / "checkpoint.bin";
+  writeCheckpoint(file, someCheckpoint());
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  for (size_t at = 18; at < bytes.size(); at += 29) {
+    std::string flipped = bytes;
+    flipped[at] = static_cast<char>(flipped[at] ^ (1 << at % 8));
+    const auto damaged = directory.write("damaged.bin", flipped);
+    CHECK_THAT(messageOf<InputError>([&] { readCheckpoint(damaged); }), Contains("damaged.bin: is damaged"));
+  }
+  const auto old = directory.write("old.bin", "ease checkpoint 2\n" + bytes.substr(18));
+  CHECK_THAT(messageOf<InputError>([&] { readCheckpoint(old); }),
+             Contains("old.bin: is a checkpoint of another version"));
 }
 
 TEST_CASE("a checkpoint that is cut short anywhere, or is another file, is refused by its name") {

@@ -1,6 +1,7 @@
 #include "apps/timeline.h"
 
 #include <catch2/catch.hpp>
+#include <tuple>
 
 #include "tests/sheet.h"
 
@@ -75,4 +76,68 @@ TEST_CASE("a divided scene has the same motion, and is adapted and written at th
     CHECK(b.written == a.written);
     CHECK_FALSE(parts[3 * k].adapts);
   }
+}
+
+TEST_CASE("a run that goes on does what is left, and none of it is the motion that is done") {
+  auto [scene, input] = lifted(0.0, 0.005);
+  scene.adaption->settle = 6;
+  const std::vector<Moment> whole = timeline(scene, true);
+  REQUIRE(whole.size() == 46);
+  CHECK(whole[39].pose == 1);
+  CHECK_FALSE(whole[39].settles);
+  CHECK(whole[40].settles);
+  for (const size_t done : {7, 40, 43}) {
+    const std::vector<Moment> left = timeline(scene, true, whole[done - 1].done);
+    REQUIRE(left.size() == 46 - done);
+    for (size_t k = 0; k < left.size(); ++k) {
+      const Moment &a = left[k], &b = whole[done + k];
+      CHECK(std::tie(a.time_s, a.body, a.next_level_set, a.pose, a.settles, a.adapts, a.written, a.measured) ==
+            std::tie(b.time_s, b.body, b.next_level_set, b.pose, b.settles, b.adapts, b.written, b.measured));
+    }
+  }
+  CHECK(timeline(scene, true, whole.back().done).empty());
+}
+
+TEST_CASE("a body that stood at its last pose goes on from there to one that was added, and stands there anew") {
+  auto [scene, input] = lifted(0.0, 0.005);
+  scene.adaption->settle = 6;
+  const StepsDone done = timeline(scene, true).back().done;
+  const auto goesOn = [&] {
+    const std::vector<Moment> left = timeline(scene, true, done);
+    REQUIRE(left.size() == 46);
+    CHECK(left.front().done.all == 47);
+    CHECK(left.front().body == Approx(10.25));
+    CHECK(left[39].body == 20.0);
+    CHECK(left.back().body == 20.0);
+    return left[39].pose;
+  };
+  scene.body->poses.emplace_back("higher");
+  CHECK(goesOn() == 2);
+  scene.body->poses.pop_back();
+  scene.adaption->cycles = 2;
+  CHECK(goesOn() == 0);
+  scene.adaption->cycles = 1;
+  scene.adaption->settle = 8;
+  CHECK(timeline(scene, true, done).size() == 2);
+}
+
+TEST_CASE("a body of one pose, or none, has no motion; steps are left until it was held long enough") {
+  auto [scene, input] = lifted(0.0, 0.005);
+  scene.body->poses.pop_back();
+  CHECK(posesOfMotion(scene, true) == std::vector<int>{0});
+  CHECK(timeline(scene, true).size() == 40);
+  CHECK(timeline(scene, true, {13, 0, 13}).size() == 27);
+  CHECK(timeline(scene, true, {13, 0, 13}).back().body == 0.0);
+  scene.body.reset();
+  scene.solver.steps = 30;
+  CHECK(posesOfMotion(scene, true).empty());
+  CHECK(timeline(scene, true, {13, 0, 13}).size() == 17);
+}
+
+TEST_CASE("poses come there and back again") {
+  auto [scene, input] = lifted(0.0, 0.005);
+  scene.body->poses = {"a", "b", "c"};
+  scene.adaption->cycles = 3;
+  CHECK(posesOfMotion(scene, true) == std::vector<int>{0, 1, 2, 1, 0, 1, 2});
+  CHECK(posesOfMotion(scene, false) == std::vector<int>{0, 1, 2});
 }

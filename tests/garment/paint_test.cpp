@@ -44,3 +44,12 @@ TEST_CASE("paint beside the garment is refused") {
   CHECK_THROWS_AS(paintedScales(sheet, {far}), InputError);
   CHECK_THROWS_WITH(paintedScales(sheet, {far}), "paint number 1: at = [5, 0, 0], radius = 0.1: touches no triangle");
 }
+
+TEST_CASE("more paint leads from one painting to the other, and the same is nothing more") {
+  const std::vector<double> none, some = {1.2, 1.0}, other = {1.5, 0.8};
+  CHECK(paintBetween(none, some) == some);
+  CHECK(paintBetween(some, none) == std::vector<double>{1.0 / 1.2, 1.0});
+  CHECK(paintBetween(some, other) == std::vector<double>{1.5 / 1.2, 0.8});
+  CHECK(paintBetween(some, some).empty());
+  CHECK(paintBetween(none, none).empty());
+}

@@ -52,17 +52,6 @@ TEST_CASE("a renumbered mesh is the same mesh, and is restored to the last bit")
             mesh.positions.row(mesh.triangles(numbering.triangles[k], a)));
 }
 
-TEST_CASE("what names a vertex twice, or not all, is no numbering") {
-  const TriangleMesh mesh = shuffledSheet();
-  const Numbering good = spatialNumbering(mesh);
-  CHECK(isNumbering(good, mesh));
-  Numbering twice = good, short_one = good;
-  twice.vertices[3] = twice.vertices[4];
-  short_one.triangles.pop_back();
-  CHECK_FALSE(isNumbering(twice, mesh));
-  CHECK_FALSE(isNumbering(short_one, mesh));
-}
-
 TEST_CASE("values follow their numbers there and back") {
   const std::vector<int> order = {2, 0, 1};
   const std::vector<double> values = {10.0, 11.0, 12.0};

@@ -30,6 +30,9 @@ struct Falling {
     point.x = mesh.positions + all(shift);
     point.evaluate(potential, fixed);
   }
+  int search(const Positions& direction, Point& next) {
+    return searchAlong(potential, fixed, point, direction, point.gradient.cwiseProduct(direction).sum(), next);
+  }
   Positions all(const Vec3& shift) const {
     return Eigen::RowVector3d(shift.transpose()).replicate(cloth.vertexCount(), 1);
   }
@@ -94,18 +97,18 @@ TEST_CASE("a search goes all the way where that is downhill, else halves until i
   }();
   for (const int halvings : {0, 1, 2, 5}) {
     const Positions direction = falling.all(std::pow(2.0, halvings) * kFall);  // to the minimum, so many times over
-    CHECK(searchAlong(falling.potential, falling.fixed, falling.point, direction, next) == halvings);
+    CHECK(falling.search(direction, next) == halvings);
     CHECK((next.x - falling.point.x - falling.all(kFall)).norm() < 1e-12);
     CHECK(next.energy == Approx(floor).margin(1e-9 * falling.point.energy));
     CHECK(next.energy < falling.point.energy);
   }
   const Positions short_way = falling.all(0.3 * kFall);
-  CHECK(searchAlong(falling.potential, falling.fixed, falling.point, short_way, next) == 0);
+  CHECK(falling.search(short_way, next) == 0);
   CHECK((next.x - falling.point.x - short_way).norm() < 1e-15);
 }
 
 TEST_CASE("a search uphill finds nothing") {
   Falling falling;
   Point next;
-  CHECK(searchAlong(falling.potential, falling.fixed, falling.point, falling.all(-kFall), next) == -1);
+  CHECK(falling.search(falling.all(-kFall), next) == -1);
 }

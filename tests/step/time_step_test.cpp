@@ -196,6 +196,41 @@ TEST_CASE("all methods run to tolerance find the same minimum, after one step an
   }
 }
 
+TEST_CASE("auto keeps to the tolerance that is asked of it") {
+  const TriangleMesh mesh = makeSheet(12, 12, 0.3, 0.3);
+  const double stiffness = GENERATE(30.0, 1e3, 3e4), h = GENERATE(1.0 / 240.0, 1.0 / 30.0);
+  const double tolerance = GENERATE(0.05, 1e-3);
+  Material material = softCloth();
+  material.stretch_warp = material.stretch_weft = stiffness;
+  const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), material);
+  TimeStep step = makeStep(cloth, {Method::automatic, tolerance});
+  TimeStep newton = makeStep(cloth, {Method::newton, 0.0, 1e-7});
+  Pins pins;  // taut: a single minimum
+  for (const std::vector<int>& loop : cloth.topology().boundary_loops)
+    for (int v : loop) {
+      pins.vertices.push_back(v);
+      pins.positions.push_back(1.05 * mesh.positions.row(v));
+    }
+  State state = atRest(mesh);
+  state.positions *= 1.05;
+  state.velocities = 0.5 * randomPositions(cloth.vertexCount(), 4);
+  StepOptions options;
+  options.h = h;
+  const int steps = 12;
+  double error = 0.0;
+  for (int n = 0; n < steps; ++n) {
+    State exact = state;
+    newton.step(exact, options, pins, kNoContacts);
+    CHECK(step.step(state, options, pins, kNoContacts).converged);
+    Point minimum;
+    minimum.x = exact.positions;
+    error += relativeLength(newton.potential(), minimum, state.positions - exact.positions) / steps;
+    state = exact;
+  }
+  INFO("stiffness " << stiffness << " N/m, h " << h << " s, tolerance " << tolerance);
+  CHECK(error < tolerance);
+}
+
 TEST_CASE("auto hands over to Newton where the projective method is slow, and not where it is fast") {
   const TriangleMesh mesh = makeSheet(16, 16, 0.3, 0.3);
   for (const bool hard : {false, true}) {

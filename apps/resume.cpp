@@ -1,0 +1,98 @@
+#include "apps/resume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "apps/fingerprint.h"
+#include "solver/mesh/error.h"
+
+namespace ease {
+
+namespace {
+
+/// Where the body has been it must have been in this scene's motion too; otherwise it would jump.
+void checkWay(const Checkpoint& from, const std::string& directory, const Scene& scene, const SceneInput& input) {
+  const std::vector<std::uint64_t> met = posesMet(scene, input, from.done);
+  const std::vector<int> poses = posesOfMotion(scene, true);
+  const std::string key = scene.file.string() + ": [body] poses";
+  for (size_t k = 0; k < std::min(met.size(), from.poses_met.size()); ++k)
+    if (met[k] != from.poses_met[k])
+      throw InputError(
+          fmt::format("{}: number {} of the motion, '{}', is not what the run in {} met there: expected "
+                      "the same poses as far as it went; more may follow",
+                      key, k + 1, input.pose_names[poses[k]], directory));
+  if (met.size() < from.poses_met.size())
+    throw InputError(
+        fmt::format("{}: the motion has {} with its cycles, and the run in {} met {}: expected as many at "
+                    "least",
+                    key, met.size(), directory, from.poses_met.size()));
+}
+
+}  // namespace
+
+Checkpoint checkpointIn(const std::filesystem::path& directory) {
+  if (!std::filesystem::is_directory(directory))
+    throw InputError(fmt::format("{}: no such directory: expected that of an earlier run", directory.string()));
+  if (!std::filesystem::exists(directory / kCheckpoint))
+    throw InputError(fmt::format("{}: has no checkpoint yet: expected that of an earlier run, with {}",
+                                 directory.string(), kCheckpoint));
+  return readCheckpoint(directory / kCheckpoint);
+}
+
+void checkGoesOn(const Checkpoint& from, const std::filesystem::path& directory, const Scene& scene,
+                 const SceneInput& input) {
+  const auto expectSame = [&](const char* key, double before, double now) {
+    if (before != now)
+      throw InputError(fmt::format("{}: {} was {:g} and is {:g}: expected the same, to go on from there",
+                                   (directory / kCheckpoint).string(), key, before, now));
+  };
+  expectSame("[solver] time_step", from.time_step_s, scene.solver.time_step);
+  expectSame("[solver] steps_per_pose", from.steps_per_pose, scene.solver.steps_per_pose);
+  expectSame("[body] steps", from.interpolation_steps, scene.body ? scene.body->steps : 0);
+  checkWay(from, directory.string(), scene, input);
+}
+
+void startAs(const StartGarment& before, const std::string& name, const Warn& warn, SceneInput& input) {
+  const TriangleMesh &now = input.garment, &then = before.mesh;
+  if (now.positions.rows() != then.positions.rows() || now.triangles.rows() != then.triangles.rows())
+    throw InputError(
+        fmt::format("{}: {} vertices and {} triangles: expected the garment of the run that goes on, {} "
+                    "and {}",
+                    name, now.positions.rows(), now.triangles.rows(), then.positions.rows(), then.triangles.rows()));
+  if (now.triangles != then.triangles)
+    throw InputError(
+        fmt::format("{}: its triangles are not those of the run that goes on: expected the same garment, "
+                    "numbered as it was",
+                    name));
+  if (now.positions == then.positions) return;
+  warn(
+      fmt::format("{}: its vertices lie elsewhere than at the start of the run that goes on: they are taken as they "
+                  "were",
+                  name));
+  input.garment.positions = then.positions;
+  if (input.authored) input.authored->garment.mesh.positions = then.positions;
+}
+
+std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input, const StepsDone& done) {
+  const std::vector<int> poses = posesOfMotion(scene, true);
+  std::vector<std::uint64_t> met;
+  for (size_t k = 0; k < poses.size(); ++k) {
+    // Between two poses the body is not the same forth and back (pose_interpolation.h).
+    const bool back = k > 0 && poses[k] < poses[k - 1];
+    if (k > 0 && done.moving <= static_cast<int>(k - 1) * scene.body->steps * scene.solver.steps_per_pose) break;
+    const Positions& x = input.poses[poses[k]];
+    met.push_back(fingerprint(x.data(), x.size() * sizeof(double)) + (back ? 1 : 0));
+  }
+  return met;
+}
+
+bool isFinished(const std::filesystem::path& directory) {
+  std::ifstream in(directory / "report.json");
+  const nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
+  return report.is_object() && report.value("interrupted", true) == false && !report.contains("failure");
+}
+
+}  // namespace ease

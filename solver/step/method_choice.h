@@ -1,0 +1,29 @@
+// Which of its two methods `auto` begins a step with: the one that has cost less lately.
+//
+// Costs are counted in iterations of pd-lbfgs, so that nothing depends on measured time and a run repeats to the last
+// bit.  The method in use has a running mean.  The other is tried for one step now and then, ever more rarely while it
+// loses, and only where a step costs enough for it to win.
+#pragma once
+
+namespace ease {
+
+class MethodChoice {
+ public:
+  bool newtonFirst() const { return newton_ != trial_; }
+
+  /// What the step begun with that method cost: `cost`, and factors that later steps may use again, `once`.
+  void took(double cost, double once);
+
+ private:
+  static constexpr int kFirstWait = 4;  // steps
+
+  bool newton_ = false;                                          // the method in use; else pd-lbfgs
+  bool trial_ = false;                                           // of the other, in the next step
+  double mean_ = 0.0;                                            // cost of the method in use; 0: not known yet
+  double once_ = 0.0;                                            // mean of what is paid once, since it is in use
+  double other_ = 0.0;                                           // of pd-lbfgs when it was in use last
+  int steps_ = 0;                                                // since the last trial
+  int until_newton_ = kFirstWait, until_pd_lbfgs_ = kFirstWait;  // steps until the next trial
+};
+
+}  // namespace ease

@@ -1,0 +1,48 @@
+// L-BFGS's memory: the last few secant pairs, and the two loops around an initial inverse Hessian (Nocedal 1980).
+//
+//   s, y   change of position (m) and of gradient (N) over an iteration
+//
+// The loops want one inner product after another with a vector that changes in between.  Here they run on scalars:
+// products with the vector as it was are taken for all pairs in one sweep over memory, those of the pairs with each
+// other are kept, and the changes are applied in one more sweep.  Sums do not depend on the number of threads.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solver/mesh/triangle_mesh.h"
+
+namespace ease {
+
+class SecantPairs {
+ public:
+  void clear() { count_ = 0; }
+  bool empty() const { return count_ == 0; }
+
+  /// First loop: q = -gradient, bent; to be multiplied by the initial inverse Hessian.
+  void bend(const Positions& gradient, Positions& q);
+  /// Second loop, on that product.  Returns the slope, gradient . d.
+  double bendBack(const Positions& gradient, Positions& d);
+
+  /// From one iteration's point to the next's.  A pair that is not convex is left out.
+  void remember(const Positions& x, const Positions& gradient, const Positions& next_x, const Positions& next_gradient);
+
+ private:
+  static constexpr int kMost = 5;
+  using Sums = std::array<double, kMost + 2>;
+  struct Pair {
+    Positions s, y;
+  };
+
+  int slot(int k) const { return (newest_ - k + kMost) % kMost; }  // of the k-th newest
+  template <class Sweep>
+  Sums sums(int rows, const Sweep& sweep);
+
+  std::array<Pair, kMost> pairs_;
+  std::array<std::array<double, kMost>, kMost> product_;  // s_i . y_j of slots i, j, where i is no newer than j
+  std::array<double, kMost> alpha_;                       // of the k-th newest
+  int count_ = 0, newest_ = -1;
+  std::vector<Sums> partial_;
+};
+
+}  // namespace ease
