@@ -1,0 +1,174 @@
+// Runs that go on, as a user starts them.
+#include "apps/resume.h"
+
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/command.h"
+
+using namespace ease;
+using Catch::Contains;
+using Catch::StartsWith;
+
+TEST_CASE("a run that is stopped and goes on gives what an unbroken one gives, to the last byte") {
+  const std::string method = GENERATE("auto", "bw1");
+  const TemporaryDirectory directory;
+  const auto write = [&](const char* name, const char* poses) {
+    directory.write(name,
+                    std::string("name = 'dressed'\n[body]\nbuiltin = 'mannequin'\nposes = ") + poses +
+                        "\nsteps = 4\n[garment]\nbuiltin = 't-shirt'\nvertices = 400\n[[garment.pin]]\nloop = 'neck'\n"
+                        "[material]\nbending = 1e-6\n[adaption]\nlimit = 0.02\nevery = 4\nverify = false\n"
+                        "[output]\nevery = 4\n[solver]\nmethod = '" +
+                        method + "'\n");
+  };
+  write("whole.toml", "['t', 'a', 't']");
+  write("half.toml", "['t', 'a']");  // as if stopped there
+  REQUIRE(runEase(directory, "run whole.toml -o whole").code == 0);
+  REQUIRE(runEase(directory, "run half.toml -o half").code == 0);
+  const Outcome outcome = runEase(directory, "run whole.toml --resume half");
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  for (const char* file : {"rest_shape.obj", "garment.pvd", "garment/garment_000003.vtp", "garment/garment_000008.vtp",
+                           "checkpoint.bin"}) {
+    INFO(file);
+    const std::string whole = contentOf(directory.path / "whole" / file);
+    CHECK(whole.size() > 100);
+    const bool same = whole == contentOf(directory.path / "half" / file);
+    CHECK(same);
+  }
+}
+
+TEST_CASE("a run that goes on keeps to the way of the body, which may be longer but not another") {
+  const TemporaryDirectory directory;
+  const auto resume = [&](const std::string& poses, const std::string& adaption, const std::string& arguments) {
+    directory.write("on.toml", "[body]\nbuiltin = 'mannequin'\nposes = " + poses +
+                                   "\nsteps = 2\n[garment]\nbuiltin = 't-shirt'\nvertices = 400\n[[garment.pin]]\n"
+                                   "loop = 'neck'\n[adaption]\nverify = false\n" +
+                                   adaption + "[output]\nevery = 2\n[solver]\nmethod = 'bw1'\n");
+    return runEase(directory, "run on.toml " + arguments);
+  };
+  REQUIRE(resume("['t', 'a', 't']", "settle = 2\n", "-o done").code == 0);
+  const auto made = nlohmann::json::parse(contentOf(directory.path / "done/report.json"));
+  CHECK_FALSE(made.contains("resumed_from_step"));
+  for (const char* other : {"['t', 'up', 't']", "['t', 'a', 'up', 't']", "['t', 't', 'a']"}) {
+    const Outcome outcome = resume(other, "", "--resume done");
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, StartsWith("ease: error: on.toml: [body] poses: number ") &&
+                                Contains("is not what the run in done met there"));
+    CHECK(isOneLine(outcome.err));
+  }
+  const Outcome fewer = resume("['t', 'a']", "settle = 20\n", "--resume done");
+  CHECK(fewer.code == 1);
+  CHECK_THAT(fewer.err, Contains("[body] poses: the motion has 2 with its cycles, and the run in done met 3"));
+  CHECK(std::filesystem::exists(directory.path / "done/report.json"));
+
+  REQUIRE(resume("['t', 'a', 't', 'up']", "settle = 4\n[collision]\noffset = 0.008\n", "--resume done").code == 0);
+  const auto report = nlohmann::json::parse(contentOf(directory.path / "done/report.json"));
+  CHECK(report["vertices"] == made["vertices"]);  // the T-shirt is that of the offset before
+  CHECK(report["resumed_from_step"] == 18);
+  CHECK(report["steps"] == 12);
+  CHECK(report["settle_steps"] == 4);
+  const auto poses = report["sigma_1"]["run"]["poses"];
+  REQUIRE(poses.size() == 4);
+  for (const int not_reached : {0, 1, 2}) CHECK(poses[not_reached]["max"].is_null());
+  CHECK(poses[3]["max"].get<double>() > 0.5);
+  CHECK_THAT(contentOf(directory.path / "done/body.pvd"), Contains("body_000015.vtp") && !Contains("body_000016.vtp"));
+}
+
+TEST_CASE("a run goes on from a checkpoint of the same garment and clock alone") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 4);
+  const Outcome none = runEase(directory, "run hang.toml --resume nowhere");
+  CHECK(none.code == 1);
+  CHECK_THAT(none.err, Contains("nowhere: no such directory: expected that of an earlier run"));
+  std::filesystem::create_directory(directory.path / "begun");
+  const Outcome too_soon = runEase(directory, "run hang.toml --resume begun");
+  CHECK(too_soon.code == 1);
+  CHECK_THAT(too_soon.err, Contains("begun: has no checkpoint yet"));
+  REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
+  directory.write("hang.toml", contentOf(directory.path / "hang.toml") + "[output]\nevery = 2\n");
+  const std::string report = contentOf(directory.path / "there/report.json");
+  const Outcome nothing = runEase(directory, "run hang.toml --resume there -o elsewhere");
+  CHECK(nothing.code == 0);
+  CHECK_THAT(nothing.out, StartsWith("nothing left to do: the run in there is at the end"));
+  CHECK_FALSE(std::filesystem::exists(directory.path / "elsewhere"));
+  CHECK(runEase(directory, "run hang.toml --resume there").code == 0);
+  CHECK(contentOf(directory.path / "there/report.json") == report);
+  std::string other = contentOf(directory.path / "hang.toml");
+  other.replace(other.find("steps = 4"), 9, "steps = 9, time_step = 0.001");
+  directory.write("hang.toml", other);
+  const Outcome clock = runEase(directory, "run hang.toml --resume there");
+  CHECK(clock.code == 1);
+  CHECK_THAT(clock.err, Contains("[solver] time_step was 0.0025 and is 0.001"));
+  const std::string whole = contentOf(directory.path / "there/checkpoint.bin");
+  directory.write("there/checkpoint.bin", whole.substr(0, whole.size() / 2));
+  const Outcome cut = runEase(directory, "run hang.toml --resume there");
+  CHECK(cut.code == 1);
+  CHECK_THAT(cut.err, Contains("checkpoint.bin: is damaged or cut short"));
+  CHECK(std::filesystem::exists(directory.path / "there/stretch.png"));
+}
+
+TEST_CASE("a run goes on with the garment that it began with, its triangles as they were") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 4);
+  REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
+  const std::string cloth = contentOf(directory.path / "cloth.obj");
+  const auto resumeWith = [&](const std::string& before, const std::string& now) {
+    std::string other = cloth;
+    directory.write("cloth.obj", other.replace(other.find(before), before.size(), now));
+    writeHangingScene(directory, 8);
+    return runEase(directory, "run hang.toml --resume there");
+  };
+  for (const auto& [now, message] : {std::pair("f 2 5 1", "its triangles are not those of the run that goes on"),
+                                     std::pair("f 5 9 8\nf 1 2 5", "9 vertices and 9 triangles: expected")}) {
+    const Outcome outcome = resumeWith("f 1 2 5", now);
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, StartsWith("ease: error: cloth.obj: ") && Contains(message));
+    CHECK(isOneLine(outcome.err));
+  }
+  const Outcome moved = resumeWith("v 0.2 1.0 0", "v 0.3 0.9 0");
+  CHECK(moved.code == 0);
+  CHECK_THAT(moved.err, StartsWith("ease: warning: cloth.obj: its vertices lie elsewhere"));
+  CHECK(isOneLine(moved.err));
+  const auto report = nlohmann::json::parse(contentOf(directory.path / "there/report.json"));
+  CHECK(report["steps"] == 4);
+  CHECK(report["rest_growth"]["max"].get<double>() == Approx(1.0).epsilon(1e-12));
+}
+
+TEST_CASE("paint in a run that goes on scales the rest shape once, by what is more than before") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 4);
+  REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
+  int steps = 4;
+  for (const auto& [scale, adaption] :
+       {std::pair(1.2, ""), std::pair(1.2, ""), std::pair(1.5, "[adaption]\nverify = false\n"), std::pair(1.0, "")}) {
+    steps += 4;
+    const auto scene = writeHangingScene(directory, steps);
+    std::ofstream(scene, std::ios::app) << "[[garment.paint]]\nat = [0.1, 1.1, 0]\nradius = 1\nscale = " << scale
+                                        << "\n"
+                                        << adaption;
+    const Outcome outcome = runEase(directory, "run hang.toml --resume there");
+    INFO(outcome.err << scale);
+    REQUIRE(outcome.code == 0);
+    const auto report = nlohmann::json::parse(contentOf(directory.path / "there/report.json"));
+    CHECK(report["rest_growth"]["max"].get<double>() == Approx(scale).epsilon(0.01));
+    CHECK(report["rest_growth"]["area_ratio"].get<double>() == Approx(scale * scale).epsilon(0.02));
+  }
+}
+
+TEST_CASE("a run that was killed in its replays goes on with them, and leaves its series as they are") {
+  const TemporaryDirectory directory;
+  const auto scene = writeHangingCloth(directory, 8);
+  std::ofstream(scene, std::ios::app) << "[adaption]\n[output]\nevery = 2\n";
+  REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
+  const auto whole = nlohmann::json::parse(contentOf(directory.path / "there/report.json"));
+  const std::string series = contentOf(directory.path / "there/garment.pvd");
+  std::filesystem::remove(directory.path / "there/report.json");
+  REQUIRE(runEase(directory, "run hang.toml --resume there").code == 0);
+  const auto report = nlohmann::json::parse(contentOf(directory.path / "there/report.json"));
+  CHECK(report["resumed_from_step"] == 8);
+  CHECK(report["steps"] == 0);
+  CHECK(report["sigma_1"]["run"]["max"].is_null());
+  CHECK(report["sigma_1"]["before"] == whole["sigma_1"]["before"]);
+  CHECK(report["sigma_1"]["after"] == whole["sigma_1"]["after"]);
+  CHECK(contentOf(directory.path / "there/garment.pvd") == series);
+}
