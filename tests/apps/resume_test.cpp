@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solver/mesh/mesh_io.h"
 #include "tests/apps/command.h"
 
 using namespace ease;
@@ -71,7 +72,20 @@ TEST_CASE("a run that goes on keeps to the way of the body, which may be longer 
   REQUIRE(poses.size() == 4);
   for (const int not_reached : {0, 1, 2}) CHECK(poses[not_reached]["max"].is_null());
   CHECK(poses[3]["max"].get<double>() > 0.5);
+  // A frame every two steps: to 'a' and back until the 8th, settled at the 9th, then to 'up'.
   CHECK_THAT(contentOf(directory.path / "done/body.pvd"), Contains("body_000015.vtp") && !Contains("body_000016.vtp"));
+  const auto moved = [&](const char* from, const char* to) {
+    const auto frame = [&](const char* k) {
+      return readMesh(directory.path / ("done/body/body_0000" + std::string(k) + ".vtp")).positions;
+    };
+    return (frame(to) - frame(from)).rowwise().norm().maxCoeff();
+  };
+  CHECK(moved("00", "08") < 1e-6);
+  CHECK(moved("08", "09") < 1e-6);
+  CHECK(moved("09", "13") > 0.5);
+  CHECK(moved("09", "10") < 0.5 * moved("09", "13"));
+  CHECK(moved("12", "13") < 0.5 * moved("09", "13"));
+  CHECK(moved("13", "15") < 1e-6);
 }
 
 TEST_CASE("a run goes on from a checkpoint of the same garment and clock alone") {
