@@ -18,7 +18,7 @@ constexpr double kContactAccelerated = 0.3;
 // The error over the decrement that five pairs see, where it falls fast, and times its e-folds an iteration where it
 // falls slowly.  Measured on a shirt in motion and on shaken sheets: errors asked to be .05 have a median of .02 to .04
 // and nine in ten are below .06.
-constexpr double kUnseen = 2.0, kUnseenSlow = 0.25;
+constexpr double kUnseen = 2.0, kUnseenSlow = 0.1;
 constexpr double kMostUnseen = 60.0;
 // Iterations over which the contraction is measured: for an error; for giving up, past where new contacts hold it up.
 constexpr size_t kWindow = 8, kLongWindow = 24;
