@@ -78,13 +78,13 @@ void startAs(const StartGarment& before, const std::string& name, const Warn& wa
 
 std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input, const StepsDone& done) {
   const std::vector<int> poses = posesOfMotion(scene, true);
+  const int leg = scene.body ? scene.body->steps * scene.solver.steps_per_pose : 0;
   std::vector<std::uint64_t> met;
-  for (size_t k = 0; k < poses.size(); ++k) {
+  for (int k = 0; k < std::ssize(poses) && (k == 0 || done.moving > (k - 1) * leg); ++k) {
     // Between two poses the body is not the same forth and back (pose_interpolation.h).
-    const bool back = k > 0 && poses[k] < poses[k - 1];
-    if (k > 0 && done.moving <= static_cast<int>(k - 1) * scene.body->steps * scene.solver.steps_per_pose) break;
+    const bool runs_back = done.moving < k * leg && poses[k] < poses[k - 1];
     const Positions& x = input.poses[poses[k]];
-    met.push_back(fingerprint(x.data(), x.size() * sizeof(double)) + (back ? 1 : 0));
+    met.push_back(fingerprint(x.data(), x.size() * sizeof(double)) + (runs_back ? 1 : 0));
   }
   return met;
 }

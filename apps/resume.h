@@ -21,8 +21,8 @@ void checkGoesOn(const Checkpoint& from, const std::filesystem::path& directory,
 /// others; warns where its vertices lie elsewhere.
 void startAs(const StartGarment& before, const std::string& name, const Warn& warn, SceneInput& input);
 
-/// Fingerprints of the poses that the body has met when those steps are done, and of the one that it is on its way to;
-/// where it runs back they are others than where it runs forth.
+/// Fingerprints of the poses that the body has met when those steps are done, and of the one that it is on its way to,
+/// which is another where it runs back than where it runs forth.
 std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input, const StepsDone& done);
 
 /// Whether the run in `directory` ended as it should, with its report.

@@ -47,7 +47,7 @@ TEST_CASE("a run that goes on keeps to the way of the body, which may be longer 
                                    adaption + "[output]\nevery = 2\n[solver]\nmethod = 'bw1'\n");
     return runEase(directory, "run on.toml " + arguments);
   };
-  REQUIRE(resume("['t', 'a', 't']", "settle = 2\n", "-o done").code == 0);
+  REQUIRE(resume("['t', 'a']", "cycles = 2\nsettle = 2\n", "-o done").code == 0);
   const auto made = nlohmann::json::parse(contentOf(directory.path / "done/report.json"));
   CHECK_FALSE(made.contains("resumed_from_step"));
   for (const char* other : {"['t', 'up', 't']", "['t', 'a', 'up', 't']", "['t', 't', 'a']"}) {
@@ -185,4 +185,28 @@ TEST_CASE("a run that was killed in its replays goes on with them, and leaves it
   CHECK(report["sigma_1"]["before"] == whole["sigma_1"]["before"]);
   CHECK(report["sigma_1"]["after"] == whole["sigma_1"]["after"]);
   CHECK(contentOf(directory.path / "there/garment.pvd") == series);
+}
+
+TEST_CASE("poses met are told apart, and by the body's way only while it is between them") {
+  Scene scene;
+  scene.body.emplace();
+  scene.body->steps = 10;
+  scene.adaption.emplace();
+  SceneInput input;
+  const auto met = [&](std::vector<std::string> poses, int cycles, int moving) {
+    scene.body->poses = poses;
+    scene.adaption->cycles = cycles;
+    input.poses.clear();
+    for (const std::string& pose : poses) input.poses.push_back(Positions::Constant(2, 3, pose.front()));
+    return posesMet(scene, input, {moving, moving, 0});
+  };
+  CHECK(met({"t", "a"}, 1, 1).size() == 2);
+  CHECK(met({"t", "a"}, 2, 40).size() == 2);
+  CHECK(met({"t", "a"}, 2, 41).size() == 3);
+  CHECK(met({"t", "a"}, 1, 41).size() == 2);
+  CHECK(met({"t"}, 1, 0).size() == 1);
+  CHECK(met({"t", "a", "u"}, 1, 40) == met({"t", "a", "b"}, 1, 40));
+  CHECK(met({"t", "a", "u"}, 1, 41) != met({"t", "a", "b"}, 1, 41));
+  CHECK(met({"t", "a"}, 2, 80) == met({"t", "a", "t", "u"}, 1, 80));
+  CHECK(met({"t", "a"}, 2, 79) != met({"t", "a", "t", "u"}, 1, 79));
 }
