@@ -17,7 +17,7 @@ namespace ease {
 
 namespace {
 
-constexpr std::string_view kKind = "ease checkpoint ", kVersion = "3\n";
+constexpr std::string_view kKind = "ease checkpoint ", kVersion = "4\n";
 
 // A file is kind, version, the fingerprint of all that follows, and the members.
 constexpr size_t kHeader = kKind.size() + kVersion.size() + sizeof(std::uint64_t);
@@ -94,7 +94,7 @@ void members(Bytes& bytes, C& c) {
   bytes.array(c.rest.edges);
   bytes.array(c.paint);
   bytes.array(c.wanted_edges);
-  bytes.array(c.pinned);
+  bytes.array(c.pins);
 }
 
 }  // namespace

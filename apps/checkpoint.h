@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "apps/garment_pins.h"
 #include "apps/timeline.h"
 #include "solver/mesh/numbering.h"
 #include "solver/mesh/triangle_gradient.h"
@@ -35,7 +36,7 @@ struct Checkpoint {
   RestShape first_rest, rest;
   std::vector<double> paint;       // of every triangle, as far as `rest` has it; empty: none is painted
   std::vector<Mat2> wanted_edges;  // of the stitcher, m; empty: no adaption so far
-  std::vector<int> pinned;         // vertices
+  std::vector<PinAnchor> pins;
 };
 
 /// Writes the file, temporary name first.  Throws ComputationError naming it.

@@ -1,7 +1,6 @@
 // The pins of a scene in time: vertices that follow the nearest point of the body, or stay where they are.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "apps/scene.h"
@@ -10,13 +9,20 @@
 
 namespace ease {
 
+/// What holds a vertex: a tie to the body, or, with triangle -1, `local` itself, m.
+struct PinAnchor {
+  int vertex, triangle;
+  Vec3 local;
+};
+
 class GarmentPins {
  public:
-  /// Pins those vertices of the scene's that `chosen` says, where they are in `x`; `surface`: the body's then, m, of no
-  /// use without a body.
-  void add(const Scene& scene, const SceneInput& input, const Positions& x, const Positions& surface,
-           const std::function<bool(int)>& chosen);
+  /// Pins the scene's vertices: those that `before` holds in the same way as it says, the others where they are in `x`;
+  /// `surface`: the body's then, m, of no use without a body.
+  void set(const Scene& scene, const SceneInput& input, const std::vector<PinAnchor>& before, const Positions& x,
+           const Positions& surface);
 
+  const std::vector<PinAnchor>& anchors() const { return anchors_; }
   /// In the order of at().
   const std::vector<int>& vertices() const { return pins_.vertices; }
 
@@ -24,12 +30,8 @@ class GarmentPins {
   const Pins& at(const BodyMoment* body);
 
  private:
-  struct Group {
-    BodyPins tied;
-    std::vector<Vec3> fixed;  // m
-  };
-  std::vector<Group> groups_;
-  Pins pins_;  // group by group, tied ones first
+  std::vector<PinAnchor> anchors_;
+  Pins pins_;
 };
 
 }  // namespace ease

@@ -58,13 +58,14 @@ struct FirstAndLast {
 class Job {
  public:
   Job(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-      const std::optional<Checkpoint>& from, const std::atomic<bool>& interrupted)
+      const std::optional<Checkpoint>& from, bool here, const std::atomic<bool>& interrupted)
       : scene_(scene),
         given_(input),
         numbering_(from ? from->numbering : spatialNumbering(input.garment)),
         input_(renumbered(input, numbering_)),
         directory_(directory),
         from_(from),
+        here_(here),
         interrupted_(interrupted) {}
 
   bool operator()() {
@@ -89,22 +90,22 @@ class Job {
  private:
   /// Those of an earlier run that this one may not write again.
   void removeOldResults() const {
-    if (!from_) std::filesystem::remove(directory_ / kCheckpoint);
+    if (!here_) std::filesystem::remove(directory_ / kCheckpoint);
     for (const char* name :
          {"report.json", "stretch.png", "stretch_first_pose.png", "garment.pvd", "body.pvd", "rest.pvd",
           "rest_shape.obj", "rest_shape.vtp", "rest_pieces.obj", "rest_pieces.vtp", "rest_pieces.json"}) {
       if (std::filesystem::is_directory(directory_ / name))
         throw InputError(
             fmt::format("{}: is a directory: a result of that name is to be written", (directory_ / name).string()));
-      const bool goes_on = from_ && std::filesystem::path(name).extension() == ".pvd";
+      const bool goes_on = here_ && std::filesystem::path(name).extension() == ".pvd";
       if (!goes_on) std::filesystem::remove(directory_ / name);
     }
   }
 
   StepsDone done() const { return from_ ? from_->done : StepsDone(); }
 
-  /// s of motion; -1: from the start.
-  double resumedAt() const { return from_ ? (from_->done.all + 0.5) * from_->time_step_s : -1.0; }
+  /// s of motion, until which the series in the directory are kept; -1: none are.
+  double resumedAt() const { return here_ ? (from_->done.all + 0.5) * from_->time_step_s : -1.0; }
 
   void setUp() {
     cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
@@ -255,6 +256,7 @@ class Job {
   const SceneInput input_;  // the same in this numbering
   const std::filesystem::path directory_;
   const std::optional<Checkpoint>& from_;
+  const bool here_;  // the run before is in the same directory
   const std::atomic<bool>& interrupted_;
 
   std::optional<Cloth> cloth_;
@@ -271,8 +273,8 @@ class Job {
 }  // namespace
 
 bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-              const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& from) {
-  return Job(scene, input, directory, from, interrupted)();
+              const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& from, bool here) {
+  return Job(scene, input, directory, from, here, interrupted)();
 }
 
 }  // namespace ease

@@ -170,7 +170,8 @@ ExitCode runCommand(const Arguments& arguments) {
     divisionFor(scene, input);  // refuses what cannot be simulated
     if (from) checkGoesOn(*from, arguments.resumed, scene, input);
     if (interrupted) return interruptedBeforeWriting();
-    if (from && timeline(scene, true, from->done).empty() && isFinished(arguments.resumed)) {
+    const bool replays = scene.adaption && scene.adaption->verify;
+    if (from && timeline(scene, true, from->done).empty() && isFinished(arguments.resumed, replays)) {
       fmt::print("nothing left to do: the run in {} is at the end; it goes on with more poses, cycles or steps\n",
                  arguments.resumed);
       return kDone;
@@ -179,7 +180,9 @@ ExitCode runCommand(const Arguments& arguments) {
     made.removeOldGarment(scene);
     if (input.authored) writeGarment(scene, input, directory, interrupted);
     try {
-      if (runScene(scene, input, directory, interrupted, from)) return kDone;
+      std::error_code apart;
+      const bool here = from && fs::equivalent(directory, arguments.resumed, apart);
+      if (runScene(scene, input, directory, interrupted, from, here)) return kDone;
     } catch (const ComputationError& error) {
       throw ComputationError(fmt::format("{}; what was written until then is in {}", error.what(), directory.string()));
     }

@@ -55,6 +55,11 @@ double perSecond(int steps, double seconds) {
   return seconds > 0.0 ? steps / seconds : 0.0;
 }
 
+/// What was measured, or null.
+Json measuredIf(bool measured, const Json& value) {
+  return measured ? value : Json();
+}
+
 Json toJson(const Report& report, const Scene& scene) {
   const PassRecord& run = report.run;
   Json json;
@@ -78,8 +83,9 @@ Json toJson(const Report& report, const Scene& scene) {
                     {"level_set", run.level_set_s},
                     {"adaption", run.adaption_s},
                     {"output", run.output_s}};
-  json["fps"] = {{"simulation", perSecond(run.steps, run.step_s)},
-                 {"full", perSecond(run.steps, report.setup_s + run.wall_s)}};
+  const bool moved = run.steps > 0;
+  json["fps"] = {{"simulation", measuredIf(moved, perSecond(run.steps, run.step_s))},
+                 {"full", measuredIf(moved, perSecond(run.steps, report.setup_s + run.wall_s))}};
   const bool limited = report.limit > 0.0;
   if (limited) json["sigma_1"]["limit"] = 1.0 + report.limit;
   json["sigma_1"]["run"] = stretchRecord(run.stretch, report.pose_names, limited);
@@ -96,12 +102,12 @@ Json toJson(const Report& report, const Scene& scene) {
     deepest.centroids = std::max(deepest.centroids, pass->penetration.centroids);
   }
   json["penetration_mm"] = penetration(deepest);
-  json["penetration_mm"]["run"] = run.steps > 0 ? penetration(run.penetration) : Json();
+  json["penetration_mm"]["run"] = measuredIf(moved, penetration(run.penetration));
   if (report.verified) {
     json["penetration_mm"]["before"] = penetration(report.before.penetration);
     json["penetration_mm"]["after"] = penetration(report.after.penetration);
   }
-  json["final_speed_m_s"] = run.stretch.moments > 0 ? Json(run.final_speed_m_s) : Json();
+  json["final_speed_m_s"] = measuredIf(run.stretch.moments > 0, run.final_speed_m_s);
   const std::string& method = scene.solver.method;
   Json solver = {{"time_step_s", report.time_step_s}};
   if (method == "auto" || method == "pd-lbfgs") solver["tolerance"] = scene.solver.tolerance;
@@ -158,11 +164,15 @@ std::vector<std::string> depthWarnings(const Report& report) {
 std::string summaryText(const Report& report) {
   const PassRecord& run = report.run;
   const double run_s = report.setup_s + run.wall_s;
-  std::string text = fmt::format(
-      "{} vertices, {} steps of {} ms in {:.1f} s: {:.1f} steps/s with setup and output, {:.1f} the time steps alone\n"
-      "{:.1f} s in all: {:.1f} s more for {}pictures and report\n",
-      report.vertices, run.steps, 1e3 * report.time_step_s, run_s, perSecond(run.steps, run_s),
-      perSecond(run.steps, run.step_s), report.total_s, report.total_s - run_s, report.verified ? "replays, " : "");
+  std::string text;
+  if (run.steps > 0)
+    text = fmt::format(
+        "{} vertices, {} steps of {} ms in {:.1f} s: {:.1f} steps/s with setup and output, {:.1f} the time steps "
+        "alone\n{:.1f} s in all: {:.1f} s more for {}pictures and report\n",
+        report.vertices, run.steps, 1e3 * report.time_step_s, run_s, perSecond(run.steps, run_s),
+        perSecond(run.steps, run.step_s), report.total_s, report.total_s - run_s, report.verified ? "replays, " : "");
+  else
+    text = fmt::format("{} vertices, no time step was left to do; {:.1f} s in all\n", report.vertices, report.total_s);
   if (report.verified) {
     const auto line = [&](const char* when, const StretchRecord& s) {
       text += fmt::format("stretch {}: at most {:.3f}, 99 % below {:.3f}, over {:.3g}: {:.2f} % of the triangles\n",
@@ -176,7 +186,8 @@ std::string summaryText(const Report& report) {
                         100.0 * (report.growth_area_ratio - 1.0), report.growth_max, report.growth_p99);
   if (report.pose_names.empty()) return text;
   if (report.verified) text += depthLine(", adapted garment replayed", report.after.penetration);
-  return text + depthLine(report.limit > 0.0 ? ", while adapting" : "", run.penetration);
+  if (run.steps > 0) text += depthLine(report.limit > 0.0 ? ", while adapting" : "", run.penetration);
+  return text;
 }
 
 }  // namespace ease

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "solver/mesh/error.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// garment.json last: where it is, the others are Ease's own.
+// garment.json last: where it is and is Ease's, so are the others.
 constexpr std::array kGarmentFiles = {"garment.obj", "garment.vtp", "garment.png", "body.obj",
                                       "pieces.obj",  "pieces.vtp",  "pieces.json", "garment.json"};
 
@@ -63,7 +64,9 @@ void ResultDirectory::removeEmpty() const {
 }
 
 void ResultDirectory::removeOldGarment(const Scene& scene) const {
-  if (!fs::exists(path_ / kGarmentFiles.back())) return;
+  std::ifstream in(path_ / kGarmentFiles.back());
+  const nlohmann::json made = nlohmann::json::parse(in, nullptr, false);
+  if (!made.is_object() || !made.contains("quality") || !made.contains("loops")) return;
   const auto isRead = [&](const char* name) { return reads(scene, path_ / name); };
   if (std::any_of(kGarmentFiles.begin(), kGarmentFiles.end(), isRead)) return;
   std::error_code is_directory;  // then writing tells

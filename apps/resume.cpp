@@ -11,6 +11,8 @@
 
 namespace ease {
 
+using nlohmann::literals::operator""_json_pointer;
+
 namespace {
 
 /// Where the body has been it must have been in this scene's motion too; otherwise it would jump.
@@ -89,10 +91,11 @@ std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input,
   return met;
 }
 
-bool isFinished(const std::filesystem::path& directory) {
+bool isFinished(const std::filesystem::path& directory, bool with_replays) {
   std::ifstream in(directory / "report.json");
   const nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
-  return report.is_object() && report.value("interrupted", true) == false && !report.contains("failure");
+  const bool ended = report.is_object() && !report.value("interrupted", true) && !report.contains("failure");
+  return ended && (!with_replays || report.value("/sigma_1"_json_pointer, nlohmann::json()).contains("after"));
 }
 
 }  // namespace ease

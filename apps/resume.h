@@ -25,7 +25,7 @@ void startAs(const StartGarment& before, const std::string& name, const Warn& wa
 /// which is another where it runs back than where it runs forth.
 std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input, const StepsDone& done);
 
-/// Whether the run in `directory` ended as it should, with its report.
-bool isFinished(const std::filesystem::path& directory);
+/// Whether the run in `directory` ended as it should, with its report, and with replays if they are asked for.
+bool isFinished(const std::filesystem::path& directory, bool with_replays);
 
 }  // namespace ease

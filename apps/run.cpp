@@ -111,17 +111,12 @@ class Run {
     if (const auto more = paintBetween(from.paint, input_.paint); !more.empty()) stitcher.rescale(cloth_, more);
   }
 
-  /// Vertices pinned from the start keep their place on the first pose; those that a changed scene pins while going on,
-  /// the place where they are.
+  /// Where vertices are pinned that a run before did not pin: on the first pose, or where they are while going on.
   void pin(double body) {
-    const Positions no_body, &first = body_ ? input_.poses.front() : no_body;
-    if (!options_.from) return pins_.add(scene_, input_, state_.positions, first, [](int) { return true; });
-    const std::vector<int>& before = options_.from->pinned;
-    const auto wasPinned = [&](int v) { return std::find(before.begin(), before.end(), v) != before.end(); };
-    pins_.add(scene_, input_, input_.garment.positions, first, wasPinned);
     Positions surface;
     if (body_) body_->positions(body, surface);
-    pins_.add(scene_, input_, state_.positions, surface, [&](int v) { return !wasPinned(v); });
+    pins_.set(scene_, input_, options_.from ? options_.from->pins : std::vector<PinAnchor>(), state_.positions,
+              surface);
   }
 
   void keep(const Moment& moment) {
@@ -136,7 +131,7 @@ class Run {
     checkpoint.paint = input_.paint;
     checkpoint.rest = {cloth_.restPositions(), cloth_.restEdges()};
     if (stitcher_) checkpoint.wanted_edges = stitcher_->wanted();
-    checkpoint.pinned = pins_.vertices();
+    checkpoint.pins = pins_.anchors();
     options_.keep(std::move(checkpoint));
     step_.forget();
     contacts_.forget();

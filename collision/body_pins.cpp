@@ -16,28 +16,28 @@ Mat3 triangleBasis(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-BodyPins::BodyPins(const std::vector<int>& vertices, const Positions& x, const Positions& body,
-                   const Triangles& triangles) {
-  if (vertices.empty()) return;
+std::vector<BodyTie> tieToBody(const std::vector<int>& vertices, const Positions& x, const Positions& body,
+                               const Triangles& triangles) {
+  if (vertices.empty()) return {};
   const TriangleTree tree(body, triangles);
+  std::vector<BodyTie> ties;
   for (int v : vertices) {
     const Vec3 point = x.row(v);
     const int t = tree.closest(point, std::numeric_limits<double>::infinity()).triangle;
     const Vec3 a = body.row(triangles(t, 0));
     const Mat3 basis = triangleBasis(a, body.row(triangles(t, 1)), body.row(triangles(t, 2)));
-    ties_.push_back({t, basis.inverse() * (point - a)});
+    ties.push_back({t, basis.inverse() * (point - a)});
   }
+  return ties;
 }
 
-void BodyPins::place(const BodyMoment& body, std::vector<Vec3>& places) const {
+Vec3 placeOf(const BodyTie& tie, const BodyMoment& body) {
   const auto vertex = [&](int v) -> Vec3 {
     return (1.0 - body.tau) * body.at->row(v) + body.tau * body.towards->row(v);
   };
-  for (const Tie& tie : ties_) {
-    const auto corners = body.triangles->row(tie.triangle);
-    const Vec3 a = vertex(corners[0]);
-    places.push_back(a + triangleBasis(a, vertex(corners[1]), vertex(corners[2])) * tie.local);
-  }
+  const auto corners = body.triangles->row(tie.triangle);
+  const Vec3 a = vertex(corners[0]);
+  return a + triangleBasis(a, vertex(corners[1]), vertex(corners[2])) * tie.local;
 }
 
 }  // namespace ease

@@ -13,6 +13,8 @@ using Catch::Contains;
 
 namespace {
 
+constexpr const char* kOurs = R"({"quality": {}, "loops": []})";
+
 /// While it lives, no file can have a byte: a disk that is full.
 class FullDisk {
  public:
@@ -69,12 +71,16 @@ TEST_CASE("the files of an earlier garment go, those of the user's own and those
   for (const char* name : {"mine.obj", "body.obj", "pieces.obj"}) directory.write(name, "");
   made.removeOldGarment(scene);
   CHECK(exists("body.obj"));  // there is no garment.json: not Ease's
-  directory.write("garment.json", "");
+  directory.write("garment.json", "{\"my\": \"own\"}");
+  made.removeOldGarment(scene);
+  CHECK(exists("body.obj"));  // nor is this one
+  directory.write("garment.json", kOurs);
   made.removeOldGarment(scene);
   CHECK(exists("mine.obj"));
   for (const char* name : {"body.obj", "pieces.obj", "garment.json"}) CHECK_FALSE(exists(name));
 
-  for (const char* name : {"garment.obj", "garment.json", "pieces.json"}) directory.write(name, "");
+  for (const char* name : {"garment.obj", "pieces.json"}) directory.write(name, "");
+  directory.write("garment.json", kOurs);
   scene.garment.mesh = "garment.obj";
   made.removeOldGarment(scene);
   for (const char* name : {"garment.obj", "garment.json", "pieces.json"}) CHECK(exists(name));

@@ -210,3 +210,56 @@ TEST_CASE("poses met are told apart, and by the body's way only while it is betw
   CHECK(met({"t", "a"}, 2, 80) == met({"t", "a", "t", "u"}, 1, 80));
   CHECK(met({"t", "a"}, 2, 79) != met({"t", "a", "t", "u"}, 1, 79));
 }
+
+TEST_CASE("pins that a run got while going on stay where they were put when it goes on again") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 8);
+  REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
+  Positions held;
+  for (const int steps : {12, 16}) {
+    const auto scene = writeHangingScene(directory, steps);
+    std::ofstream(scene, std::ios::app) << "[[garment.pin]]\nvertices = [0]\n[output]\nevery = 4\n";
+    const Outcome outcome = runEase(directory, "run hang.toml --resume there");
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const Checkpoint now = readCheckpoint(directory.path / "there/checkpoint.bin");
+    const Positions garment = restored(now.state.positions, now.numbering.vertices);
+    if (held.rows() > 0) CHECK(garment.row(0) == held.row(0));
+    held = garment;
+    CHECK((held.row(0) - now.start.mesh.positions.row(0)).norm() > 1e-5);  // the cloth had fallen when it was pinned
+  }
+}
+
+TEST_CASE("a run that goes on elsewhere leaves nothing there of another run") {
+  const TemporaryDirectory directory;
+  const auto write = [&](int steps) {
+    std::ofstream(writeHangingScene(directory, steps), std::ios::app) << "[output]\nevery = 2\n";
+  };
+  writeHangingCloth(directory, 8);
+  write(8);
+  for (const char* results : {"run hang.toml -o one", "run hang.toml -o other"})
+    REQUIRE(runEase(directory, results).code == 0);
+  write(12);
+  REQUIRE(runEase(directory, "run hang.toml --resume one -o other").code == 0);
+  const std::string series = contentOf(directory.path / "other/garment.pvd");
+  CHECK_THAT(series, Contains("timestep=\"0.03\"") && !Contains("timestep=\"0.005\""));
+  CHECK(readCheckpoint(directory.path / "other/checkpoint.bin").done.all == 12);
+}
+
+TEST_CASE("replays asked for after a run has ended are made") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 8);
+  const auto write = [&](const char* verify) {
+    std::ofstream(writeHangingScene(directory, 8), std::ios::app) << "[adaption]\nverify = " << verify << "\n";
+  };
+  write("false");
+  REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
+  write("true");
+  const Outcome outcome = runEase(directory, "run hang.toml --resume there");
+  CHECK(outcome.code == 0);
+  CHECK_THAT(outcome.out, StartsWith("9 vertices, no time step was left to do") && Contains("stretch after"));
+  const auto report = nlohmann::json::parse(contentOf(directory.path / "there/report.json"));
+  CHECK(report["fps"]["full"].is_null());
+  CHECK(report["sigma_1"].contains("after"));
+  CHECK_THAT(runEase(directory, "run hang.toml --resume there").out, StartsWith("nothing left to do"));
+}

@@ -11,10 +11,10 @@ using namespace ease;
 namespace {
 
 /// Pins' places while the body moves in a straight line from `at` to `towards`.
-std::vector<Vec3> placesOf(const BodyPins& pins, const Triangles& triangles, const Positions& at,
+std::vector<Vec3> placesOf(const std::vector<BodyTie>& pins, const Triangles& triangles, const Positions& at,
                            const Positions& towards, double tau) {
   std::vector<Vec3> places;
-  pins.place({nullptr, nullptr, &triangles, &at, &towards, tau}, places);
+  for (const BodyTie& pin : pins) places.push_back(placeOf(pin, {nullptr, nullptr, &triangles, &at, &towards, tau}));
   return places;
 }
 
@@ -25,10 +25,10 @@ TEST_CASE("pins stay where they are on the body") {
   MovingBody body(t.triangles, {t.positions, a.positions}, 4, LevelSetOptions{});
   Positions cloth(2, 3);
   cloth << 0.45, 1.42, 0.06, 0.0, 1.0, 0.15;
-  const BodyPins pins({0, 1}, cloth, t.positions, t.triangles);
+  const std::vector<BodyTie> pins = tieToBody({0, 1}, cloth, t.positions, t.triangles);
+  for (int k = 0; k <= 4; ++k) body.prepare(k, {});
   std::vector<Vec3> places;
-  for (int k = 0; k <= 4; ++k) body.prepare(k, places);
-  pins.place(body.at(4.0), places);
+  for (const BodyTie& pin : pins) places.push_back(placeOf(pin, body.at(4.0)));
   REQUIRE(places.size() == 2);
   const TriangleTree t_tree(t.positions, t.triangles), a_tree(a.positions, a.triangles);
   for (int i = 0; i < 2; ++i)
@@ -42,7 +42,7 @@ TEST_CASE("pins go along with every rotation of the body, to rounding") {
   const TriangleMesh body = bodies::box({-0.2, -0.3, -0.1}, {0.2, 0.1, 0.4});
   Positions cloth(3, 3);
   cloth << 0.25, 0.0, 0.1, -0.1, -0.2, 0.05, 0.3, 0.2, 0.5;  // beside a face, inside, off a corner
-  const BodyPins pins({2, 0, 1}, cloth, body.positions, body.triangles);
+  const std::vector<BodyTie> pins = tieToBody({2, 0, 1}, cloth, body.positions, body.triangles);
   const Mat3 turn = Eigen::AngleAxisd(2.1, Vec3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
   const Positions turned = body.positions * turn.transpose();
   const std::vector<Vec3> start = placesOf(pins, body.triangles, body.positions, turned, 0.0);
@@ -59,20 +59,18 @@ TEST_CASE("where the body grows along its surface, pins keep their distance from
   const TriangleMesh body = bodies::box(Vec3::Zero(), Vec3::Ones());
   Positions cloth(1, 3);
   cloth << 0.3, 0.6, 1.02;
-  const BodyPins pins({0}, cloth, body.positions, body.triangles);
+  const std::vector<BodyTie> pins = tieToBody({0}, cloth, body.positions, body.triangles);
   Positions wider = body.positions;
   wider.col(0) *= 3.0;
   const std::vector<Vec3> halfway = placesOf(pins, body.triangles, body.positions, wider, 0.5);
   CHECK((halfway[0] - Vec3(0.6, 0.6, 1.02)).norm() < 1e-14);
 }
 
-TEST_CASE("places of pins are added to those that are there, and none without pins") {
+TEST_CASE("a pin on a vertex of the body is there, and without pins there is none") {
   const TriangleMesh body = bodies::box(Vec3::Zero(), Vec3::Ones());
-  std::vector<Vec3> places = {Vec3::Zero()};
-  const BodyMoment moment{nullptr, nullptr, &body.triangles, &body.positions, &body.positions};
-  BodyPins({}, Positions(0, 3), body.positions, body.triangles).place(moment, places);
-  CHECK(places.size() == 1);
-  BodyPins({3}, body.positions, body.positions, body.triangles).place(moment, places);
-  REQUIRE(places.size() == 2);
-  CHECK((places[1] - Vec3(body.positions.row(3))).norm() < 1e-14);
+  CHECK(tieToBody({}, Positions(0, 3), body.positions, body.triangles).empty());
+  const auto pins = tieToBody({3}, body.positions, body.positions, body.triangles);
+  const std::vector<Vec3> places = placesOf(pins, body.triangles, body.positions, body.positions, 0.0);
+  REQUIRE(places.size() == 1);
+  CHECK((places[0] - Vec3(body.positions.row(3))).norm() < 1e-14);
 }
