@@ -83,7 +83,7 @@ def draw(stem, title, x_label, y_label, rows, x_range="", y_range="", marked="",
          panel_size=(310, 250), axes="set logscale xy", tics=""):
     """Writes stem.svg and stem.png.  `rows`: lists of panels."""
     columns = max(len(row) for row in rows)
-    width, height = max(640, 70 + panel_size[0] * columns), 92 + panel_size[1] * len(rows)
+    width, height = max(900, 70 + panel_size[0] * columns), 92 + panel_size[1] * len(rows)
     names = list(dict.fromkeys(name for row in rows for panel in row for name in [*panel.curves, *panel.marks]))
     names.sort(key=lambda name: list(STYLES).index(name) if name in STYLES else len(STYLES))
     body, index = "", 0
