@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -49,7 +49,7 @@ struct Reader {
   size_t at = 0;
   void raw(void* data, size_t size) {
     if (size > bytes.size() - at) throw InputError("is cut short");
-    std::memcpy(data, bytes.data() + at, size);
+    std::copy_n(bytes.data() + at, size, static_cast<char*>(data));  // none, where there is nothing to point at
     at += size;
   }
   template <class T>
