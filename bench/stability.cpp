@@ -8,10 +8,9 @@
 //
 //   error          mean over the steps; of the hanging sheet, which has several minima, of the lesser of the error and
 //                  the square root of the energy gap (for a quadratic energy: the error in the energy's own norm)
-//   grade          2 converged: error at most .1;  1 degraded;  0 failed: no better than no step at all (`of_start`,
-//   the
-//                  same mean, above .95), a position that is not finite or 1 km away, or a step that stopped
-//                  (`stopped`: at which)
+//   grade          2 converged: error at most .1;  1 degraded;  0 failed: no better than no step at all (`of_start`
+//                  above .95), a position that is not finite or 1 km away, or a step that stopped (`stopped`: at which)
+//   of_start       mean like `error`'s, of another measure (step_error.h)
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/linear/dot.h"
+#include "solver/linear/parallel.h"
 
 namespace ease {
 
