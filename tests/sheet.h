@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <random>
 
@@ -66,11 +65,6 @@ inline Positions randomPositions(int n, unsigned seed) {
   Positions x(n, 3);
   for (int i = 0; i < x.size(); ++i) x.data()[i] = uniform(random);
   return x;
-}
-
-/// Central difference of a scalar function along a direction.
-inline double centralDifference(const std::function<double(double)>& f, double step) {
-  return (f(step) - f(-step)) / (2.0 * step);
 }
 
 }  // namespace ease

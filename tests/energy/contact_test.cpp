@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/sheet.h"
+#include "tests/differences.h"
 
 using namespace ease;
 
@@ -12,8 +12,10 @@ TEST_CASE("contact pressure and stiffness are derivatives of the contact energy"
     const auto energy = [&](double e) { return contactEnergy(depth + e, k, l); };
     const auto pressure = [&](double e) { return contactPressure(depth + e, k, l); };
     REQUIRE(contactPressure(depth, k, l) > 0.0);
-    CHECK(centralDifference(energy, 1e-7) == Approx(contactPressure(depth, k, l)).epsilon(1e-6));
-    CHECK(centralDifference(pressure, 1e-7) == Approx(contactStiffness(depth, k, l)).epsilon(1e-6));
+    CHECK(sharpDifference(energy, 0.1 * depth) == Approx(contactPressure(depth, k, l)).epsilon(1e-10));
+    CHECK(sharpDifference(pressure, 0.1 * depth) == Approx(contactStiffness(depth, k, l)).epsilon(1e-10));
+    CHECK(orderOfDifference(energy, contactPressure(depth, k, l), 0.5 * depth) == Approx(2.0).margin(0.1));
+    CHECK(orderOfDifference(pressure, contactStiffness(depth, k, l), 0.5 * depth) == Approx(2.0).margin(0.1));
   }
 }
 

@@ -48,16 +48,20 @@ inline Mat32 someGradient(double scale) {
 }
 
 inline std::vector<Element> elements() {
-  const Spring stretch{800.0, 1.0}, shear{200.0, 0.0}, damped_shear{200.0, 0.3};
+  const Spring damped_stretch = damped({800.0, 1.0}, 300.0, 1.2), shear{200.0, 0.0};
+  const Spring damped_shear = damped(shear, 100.0, 0.9);
   std::vector<Element> all;
-  all.push_back(
-      {"stretch", [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, stretch.c, P.u); },
-       [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, Lanes(Lanes::Constant(stretch.c)), P.u); },
-       [=](const Mat32& F, Curvature kind) {
-         FrameHessian h;
-         h.uu = stretchHessian(F.col(0), stretch, kind);
-         return h;
-       }});
+  const auto addStretches = [&all](const Spring& stretch) {
+    all.push_back(
+        {"stretch", [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, stretch.c, P.u); },
+         [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, Lanes(Lanes::Constant(stretch.c)), P.u); },
+         [=](const Mat32& F, Curvature kind) {
+           FrameHessian h;
+           h.uu = stretchHessian(F.col(0), stretch, kind);
+           return h;
+         }});
+  };
+  addStretches({800.0, 1.0});
   for (const Spring& spring : {shear, damped_shear}) {
     all.push_back(
         {"orthogonal shear", [=](const auto& F, auto& P) { return addOrthogonalShear(F, spring.k, spring.c, P); },
@@ -68,6 +72,7 @@ inline std::vector<Element> elements() {
          [=](const auto& F, auto& P) { return addBw98Shear(F, spring.k, Lanes(Lanes::Constant(spring.c)), P); },
          [=](const Mat32& F, Curvature kind) { return bw98ShearHessian(F, spring, kind); }});
   }
+  addStretches(damped_stretch);
   for (const double lambda : {0.0, 300.0})
     all.push_back({"isotropic", [=](const auto& F, auto& P) { return addIsotropic(F, 400.0, lambda, P); },
                    [=](const auto& F, auto& P) { return addIsotropic(F, 400.0, lambda, P); },

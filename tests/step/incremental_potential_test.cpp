@@ -3,55 +3,123 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "tests/differences.h"
 #include "tests/step/potential_scene.h"
 
 using namespace ease;
 
-TEST_CASE("the gradient of the potential is its derivative, with every term") {
+namespace {
+
+/// Force of every vertex, dE/dx, of a step from `start` at x, without gravity.
+struct Forces {
+  Positions gradient;
+  double energy;
+
+  Forces(const Cloth& cloth, const State& start, const Positions& x) : gradient(x.rows(), 3) {
+    IncrementalPotential potential(cloth);
+    StepOptions options;
+    options.gravity.setZero();
+    potential.begin(start, options);
+    energy = potential.gradient(x, gradient);
+  }
+};
+
+/// Turned and shifted.
+Positions movedRigidly(const Positions& x) {
+  const Mat3 R = Eigen::AngleAxisd(0.4, Vec3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+  Positions moved = x * R.transpose();
+  moved.rowwise() += Eigen::RowVector3d(0.3, 0.1, -0.2);
+  return moved;
+}
+
+State atRest(const Positions& x) {
+  return {x, Positions::Zero(x.rows(), 3)};
+}
+
+}  // namespace
+
+TEST_CASE("the gradient of the potential is its derivative, term by term and with all") {
+  for (const Term& term : terms())
+    for (const double scale : {1.0, 0.6}) {
+      INFO(term.name << " at " << scale);
+      PotentialScene scene(term.material, term.touches);
+      const Positions x = scale * scene.x;
+      Positions gradient(x.rows(), 3), unused(x.rows(), 3);
+      scene.potential.gradient(x, gradient);
+      REQUIRE(gradient.norm() > 1e-4);
+      for (unsigned seed = 10; seed < 14; ++seed) {
+        const Positions d = randomPositions(static_cast<int>(x.rows()), seed);
+        const auto energy = [&](double e) { return scene.potential.gradient(x + e * d, unused); };
+        CHECK(sharpDifference(energy, 1e-5) == Approx(gradient.cwiseProduct(d).sum()).epsilon(1e-8));
+      }
+    }
+}
+
+TEST_CASE("central differences of the whole potential err by the square of their step") {
   PotentialScene scene;
-  Positions gradient(scene.x.rows(), 3);
+  Positions gradient(scene.x.rows(), 3), unused(scene.x.rows(), 3);
   scene.potential.gradient(scene.x, gradient);
-  Positions unused(scene.x.rows(), 3);
-  REQUIRE(gradient.norm() > 1.0);
-  for (unsigned seed = 10; seed < 14; ++seed) {
-    const Positions d = randomPositions(static_cast<int>(scene.x.rows()), seed);
-    const double slope = gradient.cwiseProduct(d).sum();
-    const double difference =
-        centralDifference([&](double e) { return scene.potential.gradient(scene.x + e * d, unused); }, 1e-8);
-    CHECK(difference == Approx(slope).epsilon(1e-5));
+  const Positions d = randomPositions(static_cast<int>(scene.x.rows()), 10);
+  const auto energy = [&](double e) { return scene.potential.gradient(scene.x + e * d, unused); };
+  CHECK(orderOfDifference(energy, gradient.cwiseProduct(d).sum(), 1e-4) == Approx(2.0).margin(0.1));
+}
+
+TEST_CASE("a rigid motion changes no energy, and internal forces have no sum and no torque") {
+  const TriangleMesh mesh = makeSheet(6, 5, 0.12, 0.1, 0.2);
+  Material woven;
+  woven.bending = 1e-3;
+  Material sheared = woven, isotropic = woven;
+  sheared.shear_form = ShearForm::bw98;
+  isotropic.membrane = Membrane::isotropic;
+  isotropic.lambda = 300.0;
+  for (const Material& material : {woven, sheared, isotropic}) {
+    const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), material);
+    const double force = 800.0 * 0.12, size = 0.12;  // N, m: what a stretch of 1 would take
+    const Positions x = mesh.positions + 2e-3 * randomPositions(cloth.vertexCount(), 1), moved = movedRigidly(x);
+    const Forces before(cloth, atRest(x), x), after(cloth, atRest(moved), moved);
+    REQUIRE(before.gradient.norm() > 0.01 * force);
+    CHECK(std::abs(after.energy - before.energy) < 1e-12 * force * size);
+    CHECK(after.gradient.colwise().sum().norm() < 1e-12 * force);
+    Vec3 torque = Vec3::Zero();
+    for (int i = 0; i < moved.rows(); ++i) torque += Vec3(moved.row(i)).cross(Vec3(after.gradient.row(i)));
+    CHECK(torque.norm() < 1e-12 * force * size);
   }
 }
 
 TEST_CASE("a rigid motion meets no force: no membrane, no bending, no damping") {
   const TriangleMesh mesh = makeSheet(6, 5, 0.12, 0.1, 0.2);
-  Material material = everyTerm();
-  const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), material);
-  IncrementalPotential potential(cloth);
-  StepOptions options;
-  options.gravity.setZero();
+  const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), everyTerm());
+  const double force = 800.0 * 0.12, size = 0.12;  // N, m: what a stretch of 1 would take
+  const StepOptions options;
   // Bent first, so that bending has something to turn.
   Positions bent = mesh.positions;
   for (int i = 0; i < bent.rows(); ++i) bent(i, 2) = 3.0 * bent(i, 0) * bent(i, 0);
-  const Mat3 R = Eigen::AngleAxisd(0.4, Vec3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
-  const Vec3 shift(0.3, 0.1, -0.2);
-  Positions moved = bent * R.transpose();
-  moved.rowwise() += shift.transpose();
+  const Positions moved = movedRigidly(bent), origin = movedRigidly(Positions::Zero(1, 3));
+  const Mat3 R = (movedRigidly(Mat3::Identity()).rowwise() - origin.row(0)).transpose();
 
   // Velocities such that the moved positions are exactly the inertial ones: whatever force is left is internal.
-  const State start{bent, (moved - bent) / options.h};
-  potential.begin(start, options);
-  Positions after(moved.rows(), 3), before(moved.rows(), 3);
-  potential.gradient(moved, after);
-
-  const State at_rest{bent, Positions::Zero(bent.rows(), 3)};
-  potential.begin(at_rest, options);
-  potential.gradient(bent, before);
-  REQUIRE(before.norm() > 1e-3);
-  CHECK((after - before * R.transpose()).norm() < 1e-9 * before.norm());
-  CHECK(after.colwise().sum().norm() < 1e-12);
+  const Forces before(cloth, atRest(bent), bent), after(cloth, {bent, (moved - bent) / options.h}, moved);
+  REQUIRE(before.gradient.norm() > 1e-3);
+  CHECK((after.gradient - before.gradient * R.transpose()).norm() < 1e-12 * force);
+  CHECK(after.gradient.colwise().sum().norm() < 1e-12 * force);
   Vec3 torque = Vec3::Zero();
-  for (int i = 0; i < moved.rows(); ++i) torque += Vec3(moved.row(i)).cross(Vec3(after.row(i)));
-  CHECK(torque.norm() < 1e-12);
+  for (int i = 0; i < moved.rows(); ++i) torque += Vec3(moved.row(i)).cross(Vec3(after.gradient.row(i)));
+  CHECK(torque.norm() < 1e-12 * force * size);
+}
+
+TEST_CASE("damping alone meets no rigid motion, and any other") {
+  const TriangleMesh mesh = makeSheet(6, 5, 0.12, 0.1, 0.2);
+  for (const Term& term : terms()) {
+    if (!term.name.starts_with("damping")) continue;
+    INFO(term.name);
+    const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), term.material);
+    const Positions x = mesh.positions + 2e-3 * randomPositions(cloth.vertexCount(), 1), moved = movedRigidly(x);
+    const Positions disturbed = moved + 2e-3 * randomPositions(cloth.vertexCount(), 2);
+    const double h = StepOptions().h;
+    const double force = Forces(cloth, {x, (disturbed - x) / h}, disturbed).gradient.norm();
+    REQUIRE(force > 1e-2);
+    CHECK(Forces(cloth, {x, (moved - x) / h}, moved).gradient.norm() < 1e-12 * force);
+  }
 }
 
 TEST_CASE("an affine map of an irregular sheet strains it evenly and leaves its inside without force") {

@@ -1,6 +1,9 @@
 // A cloth that feels every term of the incremental potential at once, for tests of its derivatives.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "solver/step/incremental_potential.h"
 #include "tests/sheet.h"
 
@@ -16,7 +19,38 @@ inline Material everyTerm() {
   return material;
 }
 
-/// A sheet in motion, stretched here and compressed there, with some samples in contact.
+struct Term {
+  std::string name;
+  Material material;
+  bool touches = false;
+};
+
+/// Each term of the potential without the others, but for masses a billionth of what they are; and all together.
+inline std::vector<Term> terms() {
+  Material nothing;
+  nothing.density = 1.5e-10;
+  nothing.stretch_warp = nothing.stretch_weft = nothing.shear = nothing.mu = nothing.lambda = 0.0;
+  std::vector<Term> all;
+  const auto add = [&](const std::string& name, const auto& change) {
+    all.push_back({name, nothing});
+    change(all.back().material);
+  };
+  add("stretch", [](Material& m) { m.stretch_warp = 800.0, m.stretch_weft = 500.0; });
+  add("orthogonal shear", [](Material& m) { m.shear = 200.0; });
+  add("bw98 shear", [](Material& m) { m.shear = 200.0, m.shear_form = ShearForm::bw98; });
+  add("isotropic", [](Material& m) { m.membrane = Membrane::isotropic, m.mu = 400.0, m.lambda = 300.0; });
+  add("bending", [](Material& m) { m.bending = 1e-3; });
+  add("damping of stretch", [](Material& m) { m.damping_stretch = 2.0; });
+  add("damping of orthogonal shear", [](Material& m) { m.damping_shear = 1.0; });
+  add("damping of bw98 shear", [](Material& m) { m.damping_shear = 1.0, m.shear_form = ShearForm::bw98; });
+  add("damping of bending", [](Material& m) { m.damping_bending = 1e-5; });
+  add("inertia and gravity", [](Material& m) { m.density = 0.15; });
+  all.push_back({"contact", nothing, true});
+  all.push_back({"all", everyTerm(), true});
+  return all;
+}
+
+/// A sheet in motion, stretched here and compressed there, with some samples in contact if it `touches`.
 struct PotentialScene {
   TriangleMesh mesh = makeSheet(6, 5, 0.12, 0.1, 0.2);
   Cloth cloth;
@@ -25,13 +59,13 @@ struct PotentialScene {
   Contacts contacts;
   Positions x;
 
-  explicit PotentialScene(const Material& material = everyTerm())
+  explicit PotentialScene(const Material& material = everyTerm(), bool touches = true)
       : cloth(mesh, Vec3(0.3, -1.0, 0.1), material), potential(cloth) {
     const int n = cloth.vertexCount(), e = static_cast<int>(cloth.topology().edges.size());
     State start{mesh.positions + 2e-3 * randomPositions(n, 1), 0.5 * randomPositions(n, 2)};
     x = start.positions + 2e-3 * randomPositions(n, 3);
     contacts.planes.resize(n + e + cloth.triangleCount());
-    for (size_t s = 0; s < contacts.planes.size(); s += 3) {
+    for (size_t s = 0; touches && s < contacts.planes.size(); s += 3) {
       contacts.planes[s].normal = Vec3(0.1, 0.2 * std::sin(0.1 * s), 1.0).normalized();
       contacts.planes[s].offset = 1.2e-2;
       if (s % 4 == 0) contacts.seconds.push_back({static_cast<int>(s), {Vec3(0.8, 0.0, 0.6), 0.1, 2e-3}});
