@@ -110,7 +110,7 @@ Json toJson(const Report& report, const Scene& scene) {
   json["final_speed_m_s"] = measuredIf(run.stretch.moments > 0, run.final_speed_m_s);
   const std::string& method = scene.solver.method;
   Json solver = {{"time_step_s", report.time_step_s}};
-  if (method == "auto" || method == "pd-lbfgs") solver["tolerance"] = scene.solver.tolerance;
+  if (method == "auto" || method == "pd-lbfgs" || method == "pd") solver["tolerance"] = scene.solver.tolerance;
   if (method == "newton") solver["residual_m_s2"] = scene.solver.residual;
   if (method == "pd") solver["iterations"] = scene.solver.iterations;
   solver["projective_iterations"] = run.projective_iterations;

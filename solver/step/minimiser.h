@@ -19,6 +19,7 @@ struct StopRule {
   double error = 0.0;         // of the step, relative; 0: not looked at
   double acceleration = 0.0;  // m/s^2: largest |dE/dx_i| / m_i of a vertex that is not pinned
   int patience = 0;           // stop where more iterations than this seem to be left; 0: never
+  bool all = false;           // go on to most_iterations; the rest says whether that was enough
 };
 
 struct MinimiserSummary {

@@ -113,7 +113,7 @@ MinimiserSummary Projective::minimise(IncrementalPotential& potential, const std
     if (stop.error > 0.0) {
       decrements_.push_back(relativeDecrement(potential, point, slope));
       summary.converged = estimatedError(decrements_) <= stop.error;
-      if (summary.converged || isHopeless(decrements_, stop)) break;
+      if (!stop.all && (summary.converged || isHopeless(decrements_, stop))) break;
     }
     const int halvings = searchAlong(potential, fixed, point, direction_, slope, next_);
     if (halvings < 0) {

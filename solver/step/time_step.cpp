@@ -85,7 +85,7 @@ void TimeStep::minimise(StepSummary& summary) {
     case Method::newton:
       return newton({kMostNewton, 0.0, options_.residual}, summary);
     case Method::pd:
-      return projective({options_.iterations}, false, summary);
+      return projective({options_.iterations, options_.tolerance, 0.0, 0, true}, false, summary);
     case Method::pd_lbfgs:
       return projective({kMostProjective, options_.tolerance}, true, summary);
     case Method::automatic:
@@ -127,7 +127,7 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
     choice_.took(
         summary.projective_iterations + kNewtonCost * summary.newton_iterations + kCgCost * summary.cg_iterations,
         summary.newton_iterations > 0 ? kFactorCost * summary.factorisations : 0.0);
-  summary.short_of_tolerance = !summary.converged && options_.method != Method::bw1 && options_.method != Method::pd;
+  summary.short_of_tolerance = !summary.converged && options_.method != Method::bw1;
   if (!point_.x.allFinite()) throw ComputationError("a position is not finite");
   state.velocities = (point_.x - state.positions) / options.h;
   state.positions = point_.x;

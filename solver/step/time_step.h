@@ -29,7 +29,7 @@ Method methodNamed(const std::string& name);
 
 struct MethodOptions {
   Method method = Method::automatic;
-  double tolerance = 0.05;  // pd-lbfgs, auto: relative error of a step (minimiser.h)
+  double tolerance = 0.05;  // relative error of a step (minimiser.h): pd-lbfgs, auto; of pd it counts the steps beyond
   double residual = 1e-2;   // newton: largest residual acceleration, m/s^2
   int iterations = 10;      // pd
 };
@@ -52,7 +52,7 @@ struct StepSummary {
   int halvings = 0;                 // of a correction that would have raised the potential
   int contact_rounds = 0;           // times that contacts were found
   bool handed_over = false;         // auto: to Newton
-  bool converged = false;           // bw1, pd: never said
+  bool converged = false;           // bw1: never said
   bool short_of_tolerance = false;  // the others: stopped before, by rounding or by the number of iterations
 };
 

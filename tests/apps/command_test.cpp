@@ -140,6 +140,46 @@ TEST_CASE("every method runs the whole job, and one thread and two write the sam
   }
 }
 
+TEST_CASE("a scene beyond a method ends with exit code 2 and one line that says why, or with steps that are counted") {
+  // Nothing holds the cloth, and it is so light for its stiffness that rounding swallows its inertia.
+  const std::string method = GENERATE("auto", "bw1", "newton", "pd", "pd-lbfgs");
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 1);
+  directory.write("light.toml",
+                  "[garment]\nmesh = 'cloth.obj'\n[material]\ndensity = 1e-15\nstretch = 1e7\n"
+                  "[solver]\nsteps = 4\ntime_step = 1.0\nmethod = '" +
+                      method + "'\n");
+  const Outcome outcome = runEase(directory, "run light.toml -o light");
+  const std::string report = contentOf(directory.path / "light/report.json");
+  INFO(method << ": " << outcome.code << ", " << outcome.err);
+  if (method == "pd" || method == "pd-lbfgs") {
+    CHECK(outcome.code == 0);
+    CHECK_THAT(report, Contains("\"time_steps_short_of_tolerance\": 4"));
+  } else {
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.err, StartsWith("ease: error: time step 1 (1.0000 s): the linear system of the step is not "));
+    CHECK(isOneLine(outcome.err));
+    CHECK_THAT(report, Contains("\"failure\": \"time step 1 (1.0000 s): "));
+  }
+}
+
+TEST_CASE("where pd-lbfgs is too slow, auto hands over to Newton, and pd falls short: the report counts both") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 1);
+  const auto solver = [&](const std::string& method) {
+    directory.write("stiff.toml",
+                    "[garment]\nmesh = 'cloth.obj'\n[[garment.pin]]\nvertices = [6, 8]\n[material]\n"
+                    "stretch = 1e6\n[solver]\nsteps = 10\ntime_step = 0.02\n" +
+                        method);
+    REQUIRE(runEase(directory, "run stiff.toml -o stiff").code == 0);
+    return contentOf(directory.path / "stiff/report.json");
+  };
+  const std::string by_auto = solver("method = 'auto'\ntolerance = 1e-6\n"), by_pd = solver("method = 'pd'\n");
+  CHECK_THAT(by_auto, Contains("\"handed_over_to_newton\": ") && !Contains("\"handed_over_to_newton\": 0"));
+  CHECK_THAT(by_auto, Contains("\"time_steps_short_of_tolerance\": 0"));
+  CHECK_THAT(by_pd, Contains("\"time_steps_short_of_tolerance\": 10"));
+}
+
 TEST_CASE("garment writes a made garment with its loops, seams and pieces") {
   const TemporaryDirectory directory;
   const std::string tube =
