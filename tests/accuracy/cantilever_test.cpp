@@ -49,7 +49,9 @@ TEST_CASE("a clamped strip droops along the master curve") {
   const Droop droop =
       GENERATE(Droop{Method::pd_lbfgs, 1.0, 0.12456, 24, 1e5}, Droop{Method::pd_lbfgs, 3.0, 0.36462, 24, 1e5},
                Droop{Method::pd_lbfgs, 10.0, 1.0668, 24, 1e3}, Droop{Method::pd_lbfgs, 30.0, 2.5472, 24, 1e4},
-               Droop{Method::pd_lbfgs, 100.0, 5.8881, 32, 1e3}, Droop{Method::newton, 10.0, 1.0668, 24, 1e3});
+               Droop{Method::pd_lbfgs, 100.0, 5.8881, 32, 1e3}, Droop{Method::pd_lbfgs, 300.0, 11.183, 64, 1e3},
+               Droop{Method::pd_lbfgs, 1000.0, 21.335, 96, 1e3}, Droop{Method::newton, 10.0, 1.0668, 24, 1e3},
+               Droop{Method::newton, 100.0, 5.8881, 32, 1e3}, Droop{Method::newton, 300.0, 11.183, 48, 1e3});
   const double narrow = dropOverReach(4, droop.rows, droop.gamma, droop.membrane, droop.method);
   const double wide = dropOverReach(8, droop.rows, droop.gamma, droop.membrane, droop.method);
   INFO("gamma " << droop.gamma << ", 4 and 8 triangles across: " << narrow << ", " << wide);

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "adaption/clip.h"
+#include "adaption/stitch.h"
 #include "apps/run.h"
 #include "tests/accuracy/equilibrium.h"
 #include "tests/accuracy/meshes.h"
@@ -51,28 +52,64 @@ std::vector<double> restCircumferences(const Cloth& cloth) {
   return lengths;
 }
 
+double ringLength(const Positions& x, int ring) {
+  double length = 0.0;
+  for (int i = 0; i < kAround; ++i)
+    length += (x.row(ring * kAround + i) - x.row(ring * kAround + (i + 1) % kAround)).norm();
+  return length;
+}
+
+// A cylinder of one radius, and the cloth's contacts with it.
+class Cylinder {
+ public:
+  Cylinder(const Cloth& cloth, const Positions& x, double radius)
+      : cloth_(cloth), mesh_(cylinder(radius)), body_(mesh_.triangles, {mesh_.positions}, 1, {}) {
+    sampleCloth(x, cloth.triangles(), cloth.topology().edges, samples_);
+    body_.prepare(0, samples_);
+  }
+
+  FindContacts contacts() {
+    return [this](const Positions& x, Contacts& contacts) {
+      sampleCloth(x, cloth_.triangles(), cloth_.topology().edges, samples_);
+      finder_.find(body_.at(0.0), samples_, std::vector<double>(samples_.size(), kOffset), 0.01, contacts);
+    };
+  }
+
+ private:
+  const Cloth& cloth_;
+  TriangleMesh mesh_;
+  MovingBody body_;
+  ContactFinder finder_;
+  std::vector<Vec3> samples_;
+};
+
+// V diag(max(1, sigma_i/(1 + limit))) Vᵀ of every triangle; returns whether one is more than the identity.
+bool clipAtLimit(const std::vector<Stretch>& stretch, double limit, std::vector<Mat2>& growth) {
+  bool any = false;
+  growth.assign(stretch.size(), Mat2::Identity());
+  for (size_t t = 0; t < stretch.size(); ++t) {
+    const auto& [sigma_1, sigma_2, warp, weft, direction] = stretch[t];
+    const double g_1 = std::max(1.0, sigma_1 / (1.0 + limit)), g_2 = std::max(1.0, sigma_2 / (1.0 + limit));
+    growth[t] = g_2 * Mat2::Identity() + (g_1 - g_2) * direction * direction.transpose();
+    any = any || g_1 > 1.0 + 1e-4;
+  }
+  return any;
+}
+
 }  // namespace
 
 TEST_CASE("a taut tube presses on a cylinder with its tension over the radius") {
   const Method method = GENERATE(Method::newton, Method::pd_lbfgs, Method::bw1);
   const double radius = 0.1, stretch = 1.1;
-  const TriangleMesh mesh = tubeOn(radius), body_mesh = cylinder(radius);
+  const TriangleMesh mesh = tubeOn(radius);
   Material material;
   Cloth cloth(mesh, Vec3::UnitY(), material);
   shrinkAround(cloth, stretch);
-  MovingBody body(body_mesh.triangles, {body_mesh.positions}, 1, {});
-  ContactFinder finder;
-  std::vector<Vec3> samples;
-  sampleCloth(mesh.positions, cloth.triangles(), cloth.topology().edges, samples);
-  body.prepare(0, samples);
-  const FindContacts find = [&](const Positions& x, Contacts& contacts) {
-    sampleCloth(x, cloth.triangles(), cloth.topology().edges, samples);
-    finder.find(body.at(0.0), samples, std::vector<double>(samples.size(), kOffset), 0.01, contacts);
-  };
+  Cylinder body(cloth, mesh.positions, radius);
   State state = atRest(mesh.positions);
   TimeStep step = makeStep(cloth, {method, 1e-3, 1e-2});
   // At rest up to the contacts' planes, which are found anew in every step.
-  REQUIRE(settle(step, state, {{0.0025, Vec3::Zero()}, {}, 2e-5, 100, {}, find}));
+  REQUIRE(settle(step, state, {{0.0025, Vec3::Zero()}, {}, 2e-5, 100, {}, body.contacts()}));
 
   std::vector<double> pressure;
   step.potential().contactPressure(state.positions, pressure);
@@ -89,6 +126,33 @@ TEST_CASE("a taut tube presses on a cylinder with its tension over the radius") 
   const double tension = material.stretch_weft * (distance / (radius + kOffset) * stretch - 1.0);
   CHECK(mean == Approx(tension / distance).epsilon(1e-3));
   CHECK(spread < 0.06);
+}
+
+TEST_CASE("clipped at the limit itself, a tube grows to the thickest cylinder's circumference over 1 + limit") {
+  const Method method = GENERATE(Method::newton, Method::pd_lbfgs);
+  const auto radii = GENERATE(std::vector<double>{0.1}, std::vector<double>{0.1, 0.09}, std::vector<double>{0.09, 0.1});
+  const double limit = 0.1;
+  Cloth cloth(tubeOn(0.08), Vec3::UnitY(), Material());
+  Stitcher stitcher(cloth, systemOrdering(cloth.vertexCount(), cloth.triangles()));
+  TimeStep step = makeStep(cloth, {method, 1e-3, 1e-2});
+  std::vector<Stretch> stretch;
+  std::vector<Mat2> growth;
+  double thickest = 0.0;  // circumference of the cloth as worn
+  for (const double radius : radii) {
+    State state = atRest(tubeOn(radius).positions);
+    Cylinder body(cloth, state.positions, radius);
+    bool grows = true;
+    for (int round = 0; grows && round < 50; ++round) {
+      settle(step, state, {{0.0025, Vec3::Zero()}, {}, 2e-5, 20, {}, body.contacts()});
+      measureStretch(cloth, state.positions, stretch);
+      grows = clipAtLimit(stretch, limit, growth);
+      if (grows) stitcher.stitch(cloth, growth);
+    }
+    CHECK_FALSE(grows);
+    thickest = std::max(thickest, ringLength(state.positions, kAlong / 2));
+  }
+  CHECK(restCircumferences(cloth)[kAlong / 2] == Approx(thickest / (1.0 + limit)).epsilon(5e-4));
+  CHECK(thickest == Approx(2.0 * M_PI * (0.1 + kOffset)).epsilon(3e-3));  // pressed in a little, and of straight edges
 }
 
 TEST_CASE("a tube on a cylinder too thick for it adapts until it is within the limit, whatever came first") {
