@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "adaption/stretch_measure.h"
+#include "solver/step/time_step.h"
 #include "tests/sheet.h"
 
 using namespace ease;
@@ -13,6 +14,18 @@ namespace {
 double largestGrowth(const std::vector<Mat2>& first_inverse, const Cloth& cloth, int t) {
   const Mat2 map = cloth.restEdges()[t] * first_inverse[t];
   return principalStretch(map.transpose() * map).sigma_1;
+}
+
+Mat2 projectionOn(double angle) {
+  const Eigen::Vector2d u(std::cos(angle), std::sin(angle));
+  return u * u.transpose();
+}
+
+// Of a sheet that faced up at first.
+bool facesDown(const Cloth& cloth, int t) {
+  const Positions& x = cloth.restPositions();
+  const Triangles& corners = cloth.triangles();
+  return doubleAreaNormal(x.row(corners(t, 0)), x.row(corners(t, 1)), x.row(corners(t, 2))).z() <= 0.0;
 }
 
 }  // namespace
@@ -66,6 +79,41 @@ TEST_CASE("where one patch grows, cloth far from it stays as it was") {
     CHECK(cloth.restAreas()[t] > 0.0);
     if (mesh.positions(mesh.triangles(t, 0), 0) > 0.7) CHECK(largestGrowth(first_inverse, cloth, t) < 1.01);
   }
+}
+
+TEST_CASE("neighbours that grow by as different amounts as they may leave a rest shape without folds") {
+  // Each triangle by 2 % at a time, along a direction of its own or not at all, until some have doubled.
+  const TriangleMesh mesh = makeSheet(12, 12, 0.3, 0.3, 0.2);
+  Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
+  Stitcher stitcher(cloth, systemOrdering(cloth.vertexCount(), cloth.triangles()));
+  std::vector<Mat2> growth(cloth.triangleCount());
+  const Positions random = randomPositions(cloth.triangleCount(), 3);
+  for (int round = 0; round < 35; ++round) {
+    for (int t = 0; t < cloth.triangleCount(); ++t)
+      growth[t] = Mat2::Identity() + (random(t, 1) > 0.0 ? 0.02 : 0.0) * projectionOn(M_PI * random(t, 0));
+    stitcher.stitch(cloth, growth);
+  }
+  CHECK(*std::min_element(cloth.restAreas().begin(), cloth.restAreas().end()) > 0.0);
+  for (int t = 0; t < cloth.triangleCount(); ++t) CHECK_FALSE(facesDown(cloth, t));
+}
+
+TEST_CASE("a stitch that folds has triangles of positive area, and cloth with that rest shape stays finite") {
+  const double most = GENERATE(10.0, 30.0);  // times, at once
+  const TriangleMesh mesh = makeSheet(12, 12, 0.3, 0.3, 0.3);
+  Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
+  Stitcher stitcher(cloth, systemOrdering(cloth.vertexCount(), cloth.triangles()));
+  std::vector<Mat2> growth(cloth.triangleCount());
+  for (int t = 0; t < cloth.triangleCount(); ++t)
+    growth[t] = Mat2::Identity() + (most - 1.0) * projectionOn(t % 2 == 0 ? 0.0 : 0.5 * M_PI);
+  stitcher.stitch(cloth, growth);
+  int folded = 0;
+  for (int t = 0; t < cloth.triangleCount(); ++t) folded += facesDown(cloth, t) ? 1 : 0;
+  REQUIRE(folded > 0);
+  CHECK(*std::min_element(cloth.restAreas().begin(), cloth.restAreas().end()) > 1e-3 * 0.09 / cloth.triangleCount());
+  TimeStep step(cloth, {}, systemOrdering(cloth.vertexCount(), cloth.triangles()));
+  State state{mesh.positions, Positions::Zero(cloth.vertexCount(), 3)};
+  for (int n = 0; n < 10; ++n) step.step(state, {}, {}, [](const Positions&, Contacts& none) { none.planes.clear(); });
+  CHECK(state.positions.rowwise().norm().maxCoeff() < 10.0);
 }
 
 TEST_CASE("cloth rescaled in a patch grows or shrinks there, and nowhere else") {

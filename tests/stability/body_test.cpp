@@ -1,7 +1,10 @@
 // Scenes of cloth and a moving body in which methods are known to fail, through the whole run: interpolated poses,
 // level sets, contacts, steps.
+#include <oneapi/tbb/task_arena.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <functional>
 #include <numeric>
 
 #include "adaption/clip.h"
@@ -25,6 +28,7 @@ struct Trial {
   State state;
   PassRecord record;
   std::optional<Cloth> cloth;
+  std::function<void(const Moment&)> on_step;
 
   Trial(const TriangleMesh& garment, const std::vector<TriangleMesh>& poses, const std::string& method) {
     input.garment = garment;
@@ -48,6 +52,7 @@ struct Trial {
     RunOptions options;
     const std::vector<double> areas = cloth->restAreas();
     options.first_areas = &areas;
+    options.on_step = on_step;
     runMotion(scene, input, &body, *cloth, options, state, record);
     REQUIRE(state.positions.allFinite());
   }
@@ -71,7 +76,7 @@ struct Trial {
 };
 
 std::string anyMethod() {
-  return GENERATE("bw1", "newton", "pd-lbfgs", "auto");
+  return GENERATE("bw1", "newton", "pd", "pd-lbfgs", "auto");
 }
 
 }  // namespace
@@ -155,27 +160,36 @@ TEST_CASE("a strip that hangs by its own weight beyond the limit stops growing, 
   CHECK(trial.largestGrowth() < 1.3 * kMostGrowth);
 }
 
-TEST_CASE("two poses in turn, time and again, let a sleeve out once") {
+TEST_CASE(
+    "two poses in turn, two hundred times, let a sleeve out once; a method that is too far off for that is counted") {
   const TriangleMesh thin = bodies::capsule(0.15, 0.04, 6);
   TriangleMesh thick = thin;
   thick.positions.col(0) *= 1.25;
   thick.positions.col(2) *= 1.25;
-  const auto growthAfter = [&](int cycles) {
-    Trial trial(makeCentredTube(20, 8, 0.046, 0.1), {thin, thick}, "auto");
-    trial.scene.solver.gravity.setZero();
-    trial.input.pins = {{80, 90}};  // or the sleeve slips off
-    trial.scene.garment.pins.emplace_back();
-    trial.scene.adaption.emplace();
-    trial.scene.adaption->limit = 0.05;
-    trial.scene.adaption->every = 4;
-    trial.scene.adaption->cycles = cycles;
-    trial.scene.body->steps = 6;
-    trial.scene.solver.steps_per_pose = 2;
-    trial.run();
-    CHECK(trial.largestGrowth() < 1.3);  // beside the pins, which hold what the thick limb turns
-    return trial.meanGrowth();
+  const std::string method = anyMethod();
+  Trial trial(makeCentredTube(12, 4, 0.046, 0.1), {thin, thick}, method);
+  trial.scene.solver.gravity.setZero();
+  trial.input.pins = {{24, 30}};  // or the sleeve slips off
+  trial.scene.garment.pins.emplace_back();
+  trial.scene.adaption = AdaptionScene{0.05, 4, 200, 0, false};
+  trial.scene.body->steps = 4;
+  trial.scene.solver.steps_per_pose = 2;
+  double some = 0.0;
+  int steps = 0;
+  trial.on_step = [&](const Moment&) {
+    if (++steps == 800) some = trial.meanGrowth();
   };
-  const double some = growthAfter(50), many = growthAfter(100);
+  tbb::task_arena(1).execute([&] { trial.run(); });  // too small for two threads
+  REQUIRE(steps == 1600);
+  const double many = trial.meanGrowth();
+  INFO(method << ": " << some << ", " << many << ", at most " << trial.largestGrowth());
   CHECK(some > 1.05);
-  CHECK(many < some + 0.002);
+  if (method == "pd") {  // ten iterations a step leave most of contact's error
+    CHECK(trial.record.short_of_tolerance > steps / 2);
+    CHECK(trial.largestGrowth() < kMostGrowth);
+  } else {
+    CHECK(trial.record.short_of_tolerance == 0);
+    CHECK(many < some + 0.002);
+    CHECK(trial.largestGrowth() < 1.3);  // beside the pins, which hold what the thick limb turns
+  }
 }

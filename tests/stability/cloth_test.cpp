@@ -134,29 +134,31 @@ TEST_CASE("cloth collapsed to a line or to a point stays finite and opens") {
 TEST_CASE("masses of one to ten thousand go together") {
   TriangleMesh mesh = makeSheet(12, 4, 1.0, 0.1);
   for (int v = 0; v < mesh.positions.rows(); ++v)
-    mesh.positions(v, 0) = 1e-4 * (std::pow(1e4, mesh.positions(v, 0)) - 1);
+    mesh.positions(v, 0) = 4e-5 * (std::pow(2.5e4, mesh.positions(v, 0)) - 1);
   Trial trial(mesh, cloth(500.0), anyMethod());
   const auto [least, most] = std::minmax_element(trial.cloth.masses().begin(), trial.cloth.masses().end());
-  REQUIRE(*most > 2e3 * *least);
+  REQUIRE(*most > 1e4 * *least);
   trial.options.h = 1.0 / 60.0;
   for (int j = 0; j <= 4; ++j) trial.pin(13 * j + 12);
   trial.run(30, 3.0);
 }
 
 TEST_CASE("an endless time step finds the rest shape of free cloth") {
-  const Method method = GENERATE(Method::newton, Method::pd_lbfgs, Method::automatic);
-  Trial trial(makeSheet(6, 6, 0.3, 0.3, 0.1), cloth(500.0), {method, 1e-3});
+  const MethodOptions method = anyMethod();
+  Trial trial(makeSheet(6, 6, 0.3, 0.3, 0.1), cloth(500.0), {method.method, 1e-3});
   trial.options.gravity.setZero();
   trial.options.h = 1e3;
   trial.state.positions.col(0) *= 1.1;
-  trial.run(10, 1.0);
+  trial.run(10, 5.0);  // bw1's linear system, solved to 1 %, sends it off at a third of a millimetre a second
   CHECK(trial.membraneEnergy() < 1e-6);
+  const Positions from_centre = trial.state.positions.rowwise() - trial.state.positions.colwise().mean();
+  CHECK(from_centre.rowwise().norm().maxCoeff() < 0.25);
 }
 
 TEST_CASE("steps run to the minimum give free cloth no energy") {
-  const Method method = GENERATE(Method::newton, Method::automatic);
+  const Method method = GENERATE(Method::newton, Method::pd, Method::pd_lbfgs, Method::automatic);
   const double h = GENERATE(1.0 / 960.0, 1.0 / 60.0);
-  Trial trial(makeSheet(8, 8, 0.3, 0.3, 0.1), cloth(500.0, 0.0), {method, 1e-6, 1e-6});
+  Trial trial(makeSheet(8, 8, 0.3, 0.3, 0.1), cloth(500.0, 0.0), {method, 1e-6, 1e-6, 2000});
   trial.options.gravity.setZero();
   trial.options.h = h;
   trial.state.velocities = 0.5 * randomPositions(trial.cloth.vertexCount(), 3);
