@@ -115,7 +115,7 @@ double largest(const Positions& a, const Positions& b) {
 std::vector<GoldenCase> goldenCases() {
   std::vector<GoldenCase> cases;
   for (const char* scene : {"hung", "pressed", "let_out"})
-    for (const char* method : {"bw1", "newton", "pd-lbfgs", "auto"}) cases.push_back({scene, method});
+    for (const char* method : {"bw1", "newton", "pd", "pd-lbfgs", "auto"}) cases.push_back({scene, method});
   return cases;
 }
 
