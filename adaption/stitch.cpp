@@ -15,6 +15,15 @@ constexpr int kIterations = 10;
 constexpr int kRescaleIterations = 100;  // done once, and from further away
 constexpr double kNearness = 1e-3;       // of a vertex's part of the matrix: what does not grow stays where it is
 
+// Cosine of the angle by which the mesh is bent across an edge.
+double bend(const Cloth& cloth, const Positions& x, const Edge& edge) {
+  const auto normal = [&](int t) {
+    const auto corners = cloth.triangles().row(t);
+    return doubleAreaNormal(x.row(corners[0]), x.row(corners[1]), x.row(corners[2])).normalized();
+  };
+  return normal(edge.triangle[0]).dot(normal(edge.triangle[1]));
+}
+
 // The smallest edges that are as long as `wanted` and as `growth` times the present `edges`, in every direction.
 Mat2 atLeastBoth(const Mat2& wanted, const Mat2& growth, const Mat2& edges) {
   if (growth == Mat2::Identity()) return wanted;
@@ -33,6 +42,14 @@ Mat32 nearestRotation(const Mat32& A) {
   const double scale = std::sqrt(C.trace() + 2.0 * d);
   const Mat2 root = (C + d * Mat2::Identity()) / scale;
   return A * root.inverse();
+}
+
+int foldedEdges(const Cloth& cloth, const Positions& first) {
+  int folded = 0;
+  for (const Edge& edge : cloth.topology().edges)
+    if (!edge.isBoundary() && bend(cloth, cloth.restPositions(), edge) < -0.5 && bend(cloth, first, edge) > 0.0)
+      ++folded;
+  return folded;
 }
 
 Stitcher::Stitcher(const Cloth& cloth, std::span<const int> ordering)

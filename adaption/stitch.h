@@ -45,6 +45,10 @@ class Stitcher {
   Positions anchors_, x_;
 };
 
+/// Edges across which the rest shape is folded over, by more than 120 degrees, that were bent by less than 90 in
+/// `first`: where neighbours ask for sizes that do not fit together.
+int foldedEdges(const Cloth& cloth, const Positions& first);
+
 /// 3x2 matrix with orthonormal columns that is nearest to A (polar factor), in closed form.
 Mat32 nearestRotation(const Mat32& A);
 

@@ -160,6 +160,7 @@ class Job {
     const auto finish = [&] {
       if (series) series->finish();
       measureGrowth(first_inverse_, sum(first_areas_), *cloth_, report_);
+      report_.folded_edges = foldedEdges(*cloth_, first_rest_.positions);
       const Frame rest = restored(restFrame(*cloth_, first_areas_), numbering_);
       writeObj(directory_ / "rest_shape.obj", {rest.positions, given_.garment.triangles});
       writeVtp(directory_ / "rest_shape.vtp", given_.garment.triangles, rest);

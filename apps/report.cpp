@@ -126,6 +126,7 @@ Json toJson(const Report& report, const Scene& scene) {
                      {"time_steps_short_of_tolerance", run.short_of_tolerance},
                      {"voxels_on_demand", run.voxels_on_demand},
                      {"triangles_fully_grown", run.fully_grown},
+                     {"rest_edges_folded", report.folded_edges},
                      {"contacts_held_between_parts", run.contact.held},
                      {"contacts_recovery_limited", run.contact.limited}};
   json["level_set_MB"] = run.level_set_MB;

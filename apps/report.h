@@ -49,6 +49,7 @@ struct Report {
   PassRecord run;
   bool verified = false;
   PassRecord before, after;  // replays on the first and on the adapted rest shape
+  int folded_edges = 0;      // of the rest shape (stitch.h)
   double growth_max = 1.0, growth_p99 = 1.0, growth_area_ratio = 1.0;
   double setup_s = 0.0, total_s = 0.0;
   bool interrupted = false;
