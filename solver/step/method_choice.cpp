@@ -7,7 +7,7 @@ namespace ease {
 
 namespace {
 
-constexpr double kWorthATrial = 14.0;  // cost of a step: of Newton's least, an iteration with a few of CG, 8 to 12
+constexpr double kWorthATrial = 12.0;  // cost of a step: of Newton's least, an iteration with a few of CG, 8
 constexpr double kWeight = 0.25;       // of a step in the running mean
 constexpr double kOnceWeight = 0.05;   // of what it costs once
 constexpr int kRarer = 4;              // times, after a trial that was lost
@@ -15,7 +15,9 @@ constexpr int kLeastForNewton = 64, kMost = 4096;  // steps from a trial that wa
 
 }  // namespace
 
-void MethodChoice::took(double cost, double once) {
+void MethodChoice::took(double pd_lbfgs, double newton, double once) {
+  if (newton > 0.0) newton_cost_ += kWeight * (newton + once - newton_cost_);
+  const double cost = pd_lbfgs + newton;
   ++steps_;
   if (trial_) {
     trial_ = false;

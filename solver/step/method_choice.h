@@ -2,7 +2,8 @@
 //
 // Costs are counted in iterations of pd-lbfgs, so that nothing depends on measured time and a run repeats to the last
 // bit.  The method in use has a running mean.  The other is tried for one step now and then, ever more rarely while it
-// loses, and only where a step costs enough for it to win.
+// loses, and only where a step costs enough for it to win.  pd-lbfgs hands over to Newton where it seems to have more
+// left to do than Newton has cost lately.
 #pragma once
 
 namespace ease {
@@ -11,17 +12,23 @@ class MethodChoice {
  public:
   bool newtonFirst() const { return newton_ != trial_; }
 
-  /// What the step begun with that method cost: `cost`, and factors that later steps may use again, `once`.
-  void took(double cost, double once);
+  /// Iterations that pd-lbfgs may have left before it hands over.
+  int patience() const { return static_cast<int>(newton_cost_); }
+
+  /// What the step begun with that method cost: iterations of pd-lbfgs, Newton's worth as many (0: not used), and,
+  /// once, factors of its matrix that later steps may use again.
+  void took(double pd_lbfgs, double newton, double once);
 
  private:
   static constexpr int kFirstWait = 4;  // steps
+  static constexpr double kFirstNewtonCost = 240.0;
 
   bool newton_ = false;                                          // the method in use; else pd-lbfgs
   bool trial_ = false;                                           // of the other, in the next step
   double mean_ = 0.0;                                            // cost of the method in use; 0: not known yet
   double once_ = 0.0;                                            // mean of what is paid once, since it is in use
   double other_ = 0.0;                                           // of pd-lbfgs when it was in use last
+  double newton_cost_ = kFirstNewtonCost;                        // mean of steps that used it, with its factors
   int steps_ = 0;                                                // since the last trial
   int until_newton_ = kFirstWait, until_pd_lbfgs_ = kFirstWait;  // steps until the next trial
 };

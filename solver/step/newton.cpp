@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLinearTolerance = 1e-2;  // of a Newton correction: well below the error of stopping after one
 constexpr double kMostGain = 0.5;          // of a correction over the one before, that is believed to go on
-constexpr double kUnseen = 2.0;            // a correction over what a factor makes of it that is near the matrix
+constexpr double kUnseen = 1.5;            // a correction over what a near factor makes of it: nine in ten are less
 constexpr int kProjectedSteps = 2;         // iterations before the exact Hessian is tried (again)
 
 }  // namespace
@@ -63,8 +63,8 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     if (halvings == 0 && previous > 0.0) next *= std::clamp(length / previous, kMostGain, 1.0);
     previous = length;
     if (stop.error > 0.0 && next > stop.error && system_.factorIsNear()) {
-      system_.precondition(point.gradient, direction_);
-      next = std::min(next, kUnseen * relativeLength(potential, point, direction_));
+      const Positions& d = system_.precondition(-point.gradient);
+      next = std::min(next, kUnseen * relativeLength(potential, point, d));
     }
     if (stop.error > 0.0 && next <= stop.error) {
       summary.converged = true;

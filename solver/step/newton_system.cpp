@@ -1,6 +1,7 @@
 #include "solver/step/newton_system.h"
 
 #include <cmath>
+#include <utility>
 
 #include "solver/linear/dot.h"
 
@@ -27,6 +28,7 @@ bool NewtonSystem::factor(const BlockMatrix& matrix, std::span<const char> fixed
   matrix.toScalar(fixed, scalar_);
   factored_ = cholesky_.factor(scalar_);
   if (factored_) cholesky_.copyTo(panels_);
+  preconditioned_ = false;
   solves_ = last_iterations_ = 0;
   cost_ = kFactorCost;
   return factored_;
@@ -36,9 +38,15 @@ bool NewtonSystem::factorIsNear() const {
   return factored_ && solves_ > 0 && last_iterations_ <= kFewIterations;
 }
 
-void NewtonSystem::precondition(const Positions& right, Positions& d) {
-  d.resize(right.rows(), 3);
-  panels_.solve(right.data(), d.data(), 1);
+const Positions& NewtonSystem::precondition(const Positions& right) {
+  r_ = right;
+  precondition();
+  preconditioned_ = true;
+  return z_;
+}
+
+void NewtonSystem::precondition() {
+  panels_.solve(r_.data(), z_.data(), 1);
 }
 
 SolveSummary NewtonSystem::solve(const BlockMatrix& matrix,
@@ -57,9 +65,11 @@ SolveSummary NewtonSystem::solve(const BlockMatrix& matrix,
     if (!renew()) return {0, summary.factorisations, false};
 
   d.setZero(matrix.rows(), 3);
-  r_ = right;
-  maskFixed(r_);
-  panels_.solve(r_.data(), z_.data(), 1);
+  if (!std::exchange(preconditioned_, false) || r_ != right) {
+    r_ = right;
+    maskFixed(r_);
+    precondition();
+  }
   p_ = z_;
   double rz = dot(r_, z_);
   const double goal = tolerance * tolerance * rz;
@@ -68,7 +78,7 @@ SolveSummary NewtonSystem::solve(const BlockMatrix& matrix,
       if (summary.factorisations > 0) break;  // as good as round-off allows
       if (!renew()) return {summary.iterations, summary.factorisations, false};
       since_factor = 0;
-      panels_.solve(r_.data(), z_.data(), 1);
+      precondition();
       p_ = z_;
       rz = dot(r_, z_);
     }
@@ -82,7 +92,7 @@ SolveSummary NewtonSystem::solve(const BlockMatrix& matrix,
       d.row(i) += alpha * p_.row(i);
       r_.row(i) -= alpha * product_.row(i);
     });
-    panels_.solve(r_.data(), z_.data(), 1);
+    precondition();
     const double next = dot(r_, z_);
     parallelFor(matrix.rows(), 1024, [&](int i) { p_.row(i) = z_.row(i) + next / rz * p_.row(i); });
     rz = next;

@@ -35,21 +35,22 @@ class NewtonSystem {
 
   /// Whether the last solve took few iterations, so that precondition() comes close to H^-1.
   bool factorIsNear() const;
-  /// What the factor makes of `right` by itself, m.
-  void precondition(const Positions& right, Positions& d);
+  /// What the factor makes of `right` by itself, m.  A solve() for the same `right` that follows begins with it.
+  const Positions& precondition(const Positions& right);
 
   /// The factor no longer serves (other pins).
   void forgetFactor() { factored_ = false; }
 
  private:
   bool factor(const BlockMatrix& matrix, std::span<const char> fixed);
+  void precondition();
 
   SparseMatrix scalar_;
   Cholesky cholesky_;
   Panels panels_;
-  bool factored_ = false;
-  int solves_ = 0, last_iterations_ = 0;  // since the last factor
-  double cost_ = 0.0;                     // in iterations, the factor included
+  bool factored_ = false, preconditioned_ = false;  // z_ is of r_, by the factor
+  int solves_ = 0, last_iterations_ = 0;            // since the last factor
+  double cost_ = 0.0;                               // in iterations, the factor included
   Positions r_, z_, p_, product_;
 };
 

@@ -28,8 +28,10 @@ double contraction(const std::vector<double>& decrements, size_t window) {
   return std::log(decrements[decrements.size() - 1 - window] / decrements.back()) / static_cast<double>(window);
 }
 
-/// Whether, at the rate of the last iterations, more are left than there is patience for.
+/// Whether, at the rate of the last iterations, more are left than there is patience for.  A rate may yet rise: that is
+/// not believed before half the patience is spent.
 bool isHopeless(const std::vector<double>& decrements, const StopRule& stop) {
+  if (2 * decrements.size() < static_cast<size_t>(stop.patience)) return false;
   const double left = std::log(kUnseen * decrements.back() / stop.error);  // e-folds
   return stop.patience > 0 && left > contraction(decrements, kLongWindow) * stop.patience;
 }

@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kMostNewton = 100;  // iterations of a step
 constexpr int kMostProjective = 1000;
-constexpr int kPatience = 240;  // iterations of pd-lbfgs that cost as much as handing over: 3 or 4 of Newton's
 // In iterations of pd-lbfgs, at 1,000 to 16,000 vertices:
 constexpr double kNewtonCost = 4.0;   // an iteration of Newton's
 constexpr double kCgCost = 2.0;       // one of conjugate gradients in it
@@ -92,7 +91,7 @@ void TimeStep::minimise(StepSummary& summary) {
       break;
   }
   if (!choice_.newtonFirst()) {
-    projective({kMostProjective, options_.tolerance, 0.0, kPatience}, true, summary);
+    projective({kMostProjective, options_.tolerance, 0.0, choice_.patience()}, true, summary);
     if (summary.converged) return;
     summary.handed_over = true;
   }
@@ -124,9 +123,9 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
     stale = !contacts_.planes.empty() && (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStale * kStale;
   }
   if (options_.method == Method::automatic)
-    choice_.took(
-        summary.projective_iterations + kNewtonCost * summary.newton_iterations + kCgCost * summary.cg_iterations,
-        summary.newton_iterations > 0 ? kFactorCost * summary.factorisations : 0.0);
+    choice_.took(summary.projective_iterations,
+                 kNewtonCost * summary.newton_iterations + kCgCost * summary.cg_iterations,
+                 summary.newton_iterations > 0 ? kFactorCost * summary.factorisations : 0.0);
   summary.short_of_tolerance = !summary.converged && options_.method != Method::bw1;
   if (!point_.x.allFinite()) throw ComputationError("a position is not finite");
   state.velocities = (point_.x - state.positions) / options.h;

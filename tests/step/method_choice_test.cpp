@@ -19,7 +19,7 @@ Sum walk(MethodChoice& choice, int steps, double pd_lbfgs, double newton, double
     const double cost = by_newton ? newton : pd_lbfgs, once = by_newton && n % 10 == 0 ? factor : 0.0;
     sum.newton_steps += by_newton;
     sum.cost += cost + once;
-    choice.took(cost, once);
+    by_newton ? choice.took(0.0, newton, once) : choice.took(pd_lbfgs, 0.0, 0.0);
   }
   return sum;
 }
@@ -28,7 +28,7 @@ Sum walk(MethodChoice& choice, int steps, double pd_lbfgs, double newton, double
 
 TEST_CASE("steps that cost little are left to pd-lbfgs") {
   MethodChoice choice;
-  CHECK(walk(choice, 1000, 10.0, 5.0).newton_steps == 0);
+  CHECK(walk(choice, 1000, 8.0, 5.0).newton_steps == 0);
 }
 
 TEST_CASE("the cheaper method is found within a few steps, and trials of the other cost a few per cent") {
@@ -58,4 +58,13 @@ TEST_CASE("a method that ceases to be the cheaper one is given up") {
 TEST_CASE("factors count for a method in use") {
   MethodChoice choice;
   CHECK(walk(choice, 1000, 20.0, 10.0, 1000.0).newton_steps < 100);
+}
+
+TEST_CASE("pd-lbfgs is given as long as Newton has cost lately, its factors included") {
+  MethodChoice choice;
+  const int first = choice.patience();
+  choice.took(30.0, 0.0, 0.0);
+  CHECK(choice.patience() == first);
+  for (int n = 0; n < 40; ++n) choice.took(100.0, 300.0, 60.0);  // steps that were handed over
+  CHECK(choice.patience() == Approx(360).margin(1));
 }

@@ -61,6 +61,23 @@ TEST_CASE("a fresh factor, rounded to single precision, solves in two iterations
   CHECK((d - expected).norm() < 1e-8 * expected.norm());
 }
 
+TEST_CASE("a solve after what the factor makes of the same force is the same to the last bit, of another too") {
+  const TriangleMesh sheet = makeSheet(15, 15, 1.0, 1.0);
+  const BlockMatrix first = springs(sheet, 0.0), second = springs(sheet, 0.3);
+  const std::vector<char> fixed(first.rows(), 0);
+  const auto solved = [&](const Positions* before) {
+    NewtonSystem system(first, orderingOf(sheet));
+    Positions d;
+    CHECK(system.solve(first, kNothingMore, fixed, randomPositions(first.rows(), 4), 1e-10, d).ok);
+    if (before) system.precondition(*before);
+    CHECK(system.solve(second, kNothingMore, fixed, randomPositions(first.rows(), 5), 1e-6, d).ok);
+    return d;
+  };
+  const Positions same = randomPositions(first.rows(), 5), other = randomPositions(first.rows(), 6);
+  CHECK(solved(nullptr) == solved(&same));
+  CHECK(solved(nullptr) == solved(&other));
+}
+
 TEST_CASE("what is added to the matrix is solved for too") {
   const TriangleMesh sheet = makeSheet(15, 15, 1.0, 1.0);
   const BlockMatrix matrix = springs(sheet, 0.0);
