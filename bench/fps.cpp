@@ -19,7 +19,7 @@ using namespace ease;
 namespace {
 
 constexpr int kRuns = 3, kLarge = 20000;  // runs of garments with fewer vertices than that; of larger ones, 1
-constexpr JobLimits kOfLarge{60, 1, 12.0};
+constexpr JobLimits kOfLarge{60, 1, 10.0};
 
 /// A built-in garment is made once for all methods, and read from a file like any other.
 Scene withGarmentFile(Scene scene) {

@@ -3,7 +3,7 @@
 from html_table import table
 
 TARGETS = (1e-1, 1e-2, 1e-3, 1e-6)  # relative errors of a step
-TRAJECTORY_TARGETS = (1e-1, 3e-2, 1e-2)
+TRAJECTORY_TARGETS = (0.3, 0.1, 0.03, 0.01)
 SLOW = 1.3  # times the soonest method: marked
 BENCH_ONLY = ("pd-anderson", "pd-chebyshev")
 AMORTISED = 100  # steps

@@ -24,7 +24,7 @@ struct TrajectoryCase {
   std::vector<int> rates;         // time steps per second; each divides the last
   double duration = 0.25;         // s
   int runs = 15, least_runs = 3;  // repetitions: all, or fewer where
-  double enough_s = 1.0;          // they have taken so long, s
+  double enough_s = 0.7;          // they have taken so long, s
   double slow_s = 10.0;           // a trajectory: beyond this, the tighter settings of a method are not tried
 };
 
