@@ -4,8 +4,17 @@
     bench/compare.py A B      two .json files of a bench program, or two folders of them
 
 A repetition does the same work in both, so that each is compared with its like: the ratio of a case is the median over
-its repetitions, its spread their quartiles.  A case is slower, or less accurate, beyond the noise where its lower
-quartile is over 1.1 (time) or its median error over 1.5 times what it was; likewise, a case that fails and did not.
+its repetitions, its spread their quartiles; of three or fewer repetitions, the least and the largest ratio; of a single
+one, 1.25 to either side.  Worse beyond the noise is a case
+
+    whose lower end of that spread is over 1.1: slower;
+    whose median error is over twice what it was, and over 1e-6; of the hanging sheet, where positions of two good
+    solvers differ, whose energy gap is over ten times what it was, and over 1e-4;
+    whose grade of stability has fallen (times of that map are not compared: its steps take microseconds), or whose
+    rest state agrees no more;
+    that fails, and did not.
+
+Settings that either did not try, since looser ones took too long, are not compared.
 Exit codes: 0 no regression, 1 regressions, 2 nothing to compare.
 """
 
@@ -18,8 +27,11 @@ from pathlib import Path
 from results import Case, read_results
 
 SLOWER = 1.1
-LESS_ACCURATE = 1.5
-ROUND_OFF = 1e-7  # errors below this are not compared
+SINGLE_RUN = 1.25  # noise of a case that ran once
+# Of an error: how many times what it was, and above what it counts at all.
+ERROR = (2.0, 1e-6)
+ENERGY_GAP = (10.0, 1e-4)
+GRADES = ("failed", "degraded", "converged")
 
 
 def fail(message):
@@ -41,21 +53,43 @@ def read(path):
     return cases
 
 
+def ratio_of_times(before, after):
+    """Median of the ratios and its spread; None: there is nothing to compare."""
+    ratios = [b / a for a, b in zip(before.values("ms"), after.values("ms")) if a > 0.0]
+    if not ratios:
+        return None
+    middle = statistics.median(ratios)
+    if len(ratios) == 1:
+        return middle, middle / SINGLE_RUN, middle * SINGLE_RUN
+    if len(ratios) < 4:
+        return middle, min(ratios), max(ratios)
+    return middle, *statistics.quantiles(ratios, n=4)[::2]
+
+
+def less_accurate(before, after):
+    """What to say where errors have grown beyond the noise, or ""."""
+    key, (factor, least) = ("energy_gap", ENERGY_GAP) if before.fields.get("sheet") == "hanging" else ("error", ERROR)
+    if not before.values(key) or not after.values(key):
+        return ""
+    was, now = abs(before.median(key)), abs(after.median(key))
+    return f"less accurate ({was:.2g} to {now:.2g})" if now > max(factor * was, least) else ""
+
+
 def compare(before: Case, after: Case):
-    """Ratio of times with quartiles, and what has become worse ("" if nothing)."""
-    if after.error and not before.error:
+    """Ratio of times with its spread, and what has become worse ("" if nothing)."""
+    if after.failed and before.runs and not before.error:
         return None, f"fails now: {after.error}"
-    pairs = list(zip(before.values("ms"), after.values("ms")))
-    if not pairs or before.error:
+    if not before.runs or not after.runs or before.error or after.error:
         return None, ""
-    ratios = [b / a for a, b in pairs]
-    lower, upper = (min(ratios), max(ratios)) if len(ratios) < 4 else statistics.quantiles(ratios, n=4)[::2]
-    worse = "slower" if lower > SLOWER else ""
-    if before.values("error") and after.values("error"):
-        was, now = abs(before.median("error")), abs(after.median("error"))
-        if now > LESS_ACCURATE * max(was, ROUND_OFF):
-            worse = f"{worse}, less accurate ({was:.2g} to {now:.2g})".lstrip(", ")
-    return (statistics.median(ratios), lower, upper), worse
+    if before.values("grade") and after.values("grade"):
+        was, now = int(before.median("grade")), int(after.median("grade"))
+        return None, f"{GRADES[was]} before, {GRADES[now]} now" if now < was else ""
+    ratio = ratio_of_times(before, after)
+    worse = ["slower"] if ratio and ratio[1] > SLOWER else []
+    worse += filter(None, [less_accurate(before, after)])
+    if before.values("agrees") and before.median("agrees") > after.median("agrees"):
+        worse.append("the rest state agrees no more")
+    return ratio, ", ".join(worse)
 
 
 def main():
@@ -67,13 +101,16 @@ def main():
     if not common:
         fail("the two results have no case in common")
     ratios, regressions = [], 0
-    print(f"{'B/A':>6}  {'quartiles':>13}  case")
+    print(f"{'B/A':>6}  {'spread':>13}  case")
     for name in common:
         ratio, worse = compare(before[name], after[name])
         regressions += bool(worse)
         if ratio:
             ratios.append(ratio[0])
         numbers = f"{ratio[0]:6.3f}  {ratio[1]:6.3f} {ratio[2]:6.3f}" if ratio else " " * 21
+        if before[name].untried or after[name].untried:
+            worse = "not tried in " + " and ".join(which for which, cases in (("A", before), ("B", after))
+                                                   if cases[name].untried)
         print(f"{numbers}  {name}{'   <-- ' + worse if worse else ''}")
     for name in sorted(set(before) ^ set(after)):
         print(f"{'':21}  {name}   only in {'A' if name in before else 'B'}")

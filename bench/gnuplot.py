@@ -9,12 +9,16 @@ STYLES = {
     "pd": ("#56B4E9", 13),
     "pd-lbfgs": ("#0072B2", 7),
     "auto": ("#009E73", 11),
+    "pd-anderson": ("#CC79A7", 4),
+    "pd-chebyshev": ("#E69F00", 6),
     "converged": ("#009E73", 5),
     "degraded": ("#E69F00", 8),
     "failed": ("#D55E00", 2),
 }
 OTHER_STYLES = [("#CC79A7", 4), ("#E69F00", 5), ("#56B4E9", 6), ("#0072B2", 7), ("#D55E00", 8), ("#000000", 9),
                 ("#009E73", 12), ("#999999", 13)]
+PNG_SCALE = 2  # pixels of the .png to one of the .svg, for print
+SMALL_SCALE = 1  # of a second .png for pages that should load fast
 
 
 def style_of(name, others={}):
@@ -25,10 +29,11 @@ def style_of(name, others={}):
 
 class Panel:
     """One pair of axes.  `curves`: name -> points (x, y, y low, y high), None between two lines; `marks`: name ->
-    points (x, y) where a method failed."""
+    points (x, y) where a method failed.  With `y_label`: an axis of its own, of `y_range`."""
 
-    def __init__(self, title, curves, marks=None):
+    def __init__(self, title, curves, marks=None, y_label="", y_range=""):
         self.title, self.curves, self.marks = title, curves, marks or {}
+        self.y_label, self.y_range = y_label, y_range
 
 
 def block(name, rows):
@@ -79,55 +84,86 @@ def legend(names, marked, size):
     return text
 
 
-def draw(stem, title, x_label, y_label, rows, x_range="", y_range="", marked="", lines=True, extra="", note="",
-         panel_size=(310, 250), axes="set logscale xy", tics=""):
-    """Writes stem.svg and stem.png.  `rows`: lists of panels."""
+def panel_commands(rows, r, c, area, size, y_range, tics):
+    """Margins, axes and tick labels of the panel in row r, column c.  Axes that panels share are labelled where there
+    is no panel to the left, or below.  `tics`: commands for tick labels, and for ticks without."""
+    panel, (left, bottom, cell_width, cell_height) = rows[r][c], area
+    x0, y0 = left + c * cell_width, bottom + (len(rows) - 1 - r) * cell_height
+    own = 58 if panel.y_label and c > 0 else 6
+    sides = (("l", x0 + own / size[0]), ("r", x0 + cell_width - 14 / size[0]), ("b", y0 + 8 / size[1]),
+             ("t", y0 + cell_height - 22 / size[1]))
+    text = "".join(f"set {side}margin at screen {where:.4f}\n" for side, where in sides)
+    text += f"set title \"{panel.title}\" offset 0,-0.7\n"
+    first = c == 0 or rows[r][c - 1] is None or bool(panel.y_label)
+    last = r + 1 == len(rows) or c >= len(rows[r + 1]) or rows[r + 1][c] is None
+    text += f"set format y '{'10^{%L}' if first else ''}'\nset format x '{'10^{%L}' if last else ''}'\n"
+    text += f"{tics[0] if last else tics[1]}\n"
+    text += f"set yrange [{panel.y_range or y_range}]\n"
+    if panel.y_label:
+        at = x0 + (own - 50) / size[0] if c > 0 else 16 / size[0]
+        text += (f"set label 99 \"{panel.y_label}\" at screen {at:.4f}, screen {y0 + 0.5 * cell_height:.4f} center "
+                 "rotate by 90 noenhanced\n")
+    return text
+
+
+def draw(stem, title, x_label, y_label, rows, x_range="", y_range="", marked="", lines=True, note="",
+         panel_size=(310, 250), tics="", bare_tics=None, small=False, large=True):
+    """Writes stem.svg and stem.png (`large`), and stem_small.png (`small`).  `rows`: lists of panels; None: left free.
+    `bare_tics`: where ticks have no label, if that needs another command than `tics`."""
     columns = max(len(row) for row in rows)
-    width, height = max(900, 70 + panel_size[0] * columns), 92 + panel_size[1] * len(rows)
-    names = list(dict.fromkeys(name for row in rows for panel in row for name in [*panel.curves, *panel.marks]))
+    lines_of_note = note.split("\n")
+    under = 78 + 14 * len(lines_of_note)
+    width, height = max(900, 70 + panel_size[0] * columns), 54 + under + panel_size[1] * len(rows)
+    panels = [panel for row in rows for panel in row if panel]
+    if not any(points for panel in panels for points in panel.marks.values()):
+        marked = ""
+    names = list(dict.fromkeys(name for panel in panels for name in [*panel.curves, *panel.marks]))
     names.sort(key=lambda name: list(STYLES).index(name) if name in STYLES else len(STYLES))
+    left, right, bottom, top = 62 / width, 1 - 12 / width, (under + 14) / height, 1 - 40 / height
+    area = (left, bottom, (right - left) / columns, (top - bottom) / len(rows))
+    tics = (tics, tics if bare_tics is None else bare_tics)
+    notes = "\n".join(f"set label \"{line}\" at screen 0.5, screen {(under - 52 - 14 * i) / height:.4f} center "
+                      "font ',9' noenhanced" for i, line in enumerate(lines_of_note))
     body, index = "", 0
-    left, right, bottom, top = 62 / width, 1 - 12 / width, 84 / height, 1 - 40 / height
-    cell = (right - left) / columns, (top - bottom) / len(rows)
     for r, row in enumerate(rows):
         for c, panel in enumerate(row):
+            if not panel:
+                continue
             blocks, plot = plot_panel(index, panel, lines)
-            x0, y0 = left + c * cell[0], top - (r + 1) * cell[1]
-            body += blocks
-            sides = (("l", x0 + 6 / width), ("r", x0 + cell[0] - 14 / width), ("b", y0 + 22 / height),
-                     ("t", y0 + cell[1] - 20 / height))
-            body += "".join(f"set {side}margin at screen {where:.4f}\n" for side, where in sides)
-            body += f"set title \"{panel.title}\" offset 0,-0.7\n"
-            body += "set format y '10^{%L}'\n" if c == 0 and "logscale" in axes else "set format y ''\n" if c else ""
-            body += plot
-            body += "unset label\n" if index == 0 else ""
+            body += blocks + panel_commands(rows, r, c, area, (width, height), y_range, tics) + plot
+            body += "unset label\n"
             index += 1
     script = f"""
 set encoding utf8
-{axes}
+set logscale xy
 set xrange [{x_range}]
-set yrange [{y_range}]
 set grid xtics ytics lc rgb '#dddddd' lw 0.6
 set tics font ',9'
-{tics}
 set border lc rgb '#555555' lw 0.8
-set format x '10^{{%L}}'
-{extra}
 set multiplot
 set label "{title}" at screen 0.5, screen {1 - 14 / height:.4f} center font ',12' noenhanced
-set label "{x_label}" at screen 0.5, screen {60 / height:.4f} center noenhanced
-set label "{note}" at screen 0.5, screen {40 / height:.4f} center font ',9' noenhanced
+set label "{x_label}" at screen 0.5, screen {(under - 32) / height:.4f} center noenhanced
+{notes}
 set label "{y_label}" at screen {16 / width:.4f}, screen {0.5 * (bottom + top):.4f} center rotate by 90 noenhanced
 {legend(names, marked, (width, height))}
 {body}
 unset multiplot
 """
     name = stem.name.replace("-", "_")
-    svg = f"svg size {width},{height} name '{name}' font 'DejaVu Sans,10' background '#ffffff'"
-    png = (f"pngcairo size {2 * width},{2 * height} fontscale 2 linewidth 2 pointscale 2 font 'DejaVu Sans,10' "
-           "background '#ffffff'")
-    for terminal, suffix in ((svg, "svg"), (png, "png")):
-        command = f"set terminal {terminal}\nset output '{stem}.{suffix}'\n{script}"
-        run = subprocess.run(["gnuplot", "-"], input=command, text=True, capture_output=True, check=False)
-        if run.returncode != 0 or "error" in run.stderr.lower():
-            raise SystemExit(f"bench: gnuplot could not draw {stem}.{suffix}: {run.stderr.strip()}")
+    pictures = []
+    if large:
+        run_gnuplot(stem.with_suffix(".svg"),
+                    f"svg size {width},{height} name '{name}' font 'DejaVu Sans,10' background '#ffffff'", script)
+        pictures.append((stem.with_suffix(".png"), PNG_SCALE))
+    if small:
+        pictures.append((stem.with_name(stem.name + "_small.png"), SMALL_SCALE))
+    for file, scale in pictures:
+        run_gnuplot(file, f"pngcairo size {scale * width},{scale * height} fontscale {scale} linewidth {scale} "
+                          f"pointscale {scale} font 'DejaVu Sans,10' background '#ffffff'", script)
+
+
+def run_gnuplot(file, terminal, script):
+    command = f"set terminal {terminal}\nset output '{file}'\n{script}"
+    run = subprocess.run(["gnuplot", "-"], input=command, text=True, capture_output=True, check=False)
+    if run.returncode != 0 or "error" in run.stderr.lower():
+        raise SystemExit(f"bench: gnuplot could not draw {file}: {run.stderr.strip()}")

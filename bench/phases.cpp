@@ -9,9 +9,10 @@
 //   factor3    of Newton's system, 3n x 3n;                         solve3   its solves, 1 right-hand side
 //   level-set  of a pose around a garment of n vertices: a sleeve of 5 mm ease on a limb of 36,000 triangles
 //
-// bound_ms: memory that must be read, over the bandwidth measured for as much memory with all threads (local, product,
-// solves); floating-point operations over the peak measured on one thread, as CHOLMOD has it (factors).  The hanging
-// sheet of sheets.h, k = 500 N/m, h = 1/60 s.
+// bound_ms: memory that must be read, over the bandwidth measured for as much memory with all threads, read over and
+// over as well, so that caches keep as much of it (local, product, solves: triangles, matrices and factors; vectors, a
+// twentieth of that, are taken to stay in a cache); floating-point operations over the peak measured on one thread, as
+// CHOLMOD has it (factors).  The hanging sheet of sheets.h, k = 500 N/m, h = 1/60 s.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -9,6 +9,8 @@
 #include <functional>
 #include <string>
 
+#include "bench/build_info.h"
+
 namespace ease {
 
 /// Takes `--name=value` out of the arguments.
@@ -35,12 +37,21 @@ inline bool takeFlag(int& count, char** arguments, const std::string& name) {
   return false;
 }
 
+/// Says of the repetition at hand that it has no result, and why.  Within the loop over `state`; not SkipWithError,
+/// with which Google Benchmark stops where other repetitions of the case had none.  `seconds`: for its own statistics.
+inline void tellNoResult(benchmark::State& state, const std::string& why, double seconds = 0.0) {
+  state.SetIterationTime(seconds);
+  state.counters["no_result"] = 1.0;
+  state.SetLabel(why);
+}
+
 /// Runs what `register_all` registers, fewer and shorter ones with `--quick`; the exit code.  Errors name the program.
 inline int runBenchmarks(int count, char** arguments, const std::string& program,
                          const std::function<void(bool quick)>& register_all) try {
   const bool quick = takeFlag(count, arguments, "quick");
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
+  describeBuild();
   register_all(quick);
   benchmark::RunSpecifiedBenchmarks();
   return 0;

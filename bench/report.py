@@ -3,8 +3,8 @@
 
     bench/report.py DIRECTORY [--command TEXT]
 
-Reads DIRECTORY/*.json (Google Benchmark's), writes a .csv beside each, charts as .svg and .png, and report.html with
-all of it inside.
+Reads DIRECTORY/*.json (Google Benchmark's) and DIRECTORY/run.tsv (a program's name, command and seconds a line, if
+script/bench wrote it), writes a .csv beside each .json, charts as .svg and .png, and report.html with all of it inside.
 """
 
 import argparse
@@ -15,7 +15,10 @@ import subprocess
 from pathlib import Path
 
 import charts
+import step_tables
 import tables
+import work_precision
+from html_table import table
 from results import read_results, write_csv
 
 PAGE = """<!DOCTYPE html>
@@ -41,8 +44,8 @@ def output_of(*command):
     return run.stdout.strip() if run.returncode == 0 and run.stdout.strip() else "unknown"
 
 
-def machine(context):
-    """Rows of what the figures were measured with."""
+def machine(contexts):
+    """Rows of what the figures were measured with: what all programs say, and what each loaded."""
     model = "unknown"
     try:
         for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
@@ -51,18 +54,48 @@ def machine(context):
                 break
     except OSError:
         pass
-    root = Path(__file__).parent.parent
-    caches = ", ".join(f"L{c['level']} {c['type'].lower()} {c['size'] // 1024} KiB" for c in context.get("caches", []))
+    first = next(iter(contexts.values()))
+    caches = ", ".join(f"L{c['level']} {c['type'].lower()} {c['size'] // 1024} KiB" for c in first.get("caches", []))
     return [
-        ("processor", f"{model}, {context.get('num_cpus', '?')} logical cores"),
+        ("processor", f"{model}, {first.get('num_cpus', '?')} logical cores, {first.get('mhz_per_cpu', '?')} MHz"),
         ("caches", caches or "unknown"),
         ("system", f"{platform.system()} {platform.release()}"),
-        ("compiler", output_of("c++", "--version").splitlines()[0]),
-        ("Ease", output_of("git", "-C", str(root), "describe", "--always", "--dirty")),
+        ("Ease", ", ".join(sorted({commit_of(context) for context in contexts.values()}))),
+        ("compiler", said_by(contexts, "compiler")),
+        ("build type", said_by(contexts, "build_type")),
+        ("flags", said_by(contexts, "flags")),
+        ("Eigen", said_by(contexts, "eigen")),
+        ("libraries, as loaded", ", ".join(sorted({name for context in contexts.values()
+                                                   for name in context.get("libraries", "").split()}))),
         ("gnuplot, Python", f"{output_of('gnuplot', '--version')}, Python {platform.python_version()}"),
-        ("measured", context.get("date", "unknown")),
-        ("load average at the start", ", ".join(f"{v:.2f}" for v in context.get("load_avg", []))),
     ]
+
+
+def said_by(contexts, key):
+    said = dict.fromkeys(context[key].strip() for context in contexts.values() if key in context)
+    return "; ".join(said) or "unknown"
+
+
+def commit_of(context):
+    """What `git describe --always --dirty` said when the program was run."""
+    commit = context.get("commit", "unknown")
+    if commit == "unknown":
+        return "commit unknown"
+    clean = not commit.endswith("-dirty")
+    return f"commit {commit.removesuffix('-dirty')}, {'nothing' if clean else 'something'} changed since"
+
+
+def programs(contexts, directory):
+    """A row for each program that ran: its command, when it began, how long it took, how busy the machine was then."""
+    commands, seconds = {}, {}
+    run = directory / "run.tsv"
+    if run.exists():
+        for line in run.read_text(encoding="utf-8").splitlines():
+            program, commands[program], seconds[program] = line.split("\t")
+    names = dict.fromkeys([*commands, *contexts])
+    return [(name, commands.get(name, contexts.get(name, {}).get("executable", "")), seconds.get(name, "–"),
+             contexts.get(name, {}).get("date", "–"),
+             ", ".join(f"{v:.2f}" for v in contexts.get(name, {}).get("load_avg", [])) or "–") for name in names]
 
 
 def figure(stem, caption):
@@ -82,14 +115,17 @@ def main():
     if not files:
         raise SystemExit(f"bench: {chosen.directory}: no .json of a bench program")
 
-    context, everything = {}, {}
+    contexts, everything = {}, {}
     for file in files:
-        context, cases = read_results(file)
+        contexts[file.stem], cases = read_results(file)
         write_csv(cases, file.with_suffix(".csv"))
         everything[file.stem] = cases
-    body = "<h2>Measured with</h2>\n" + tables.table(["what", ""], machine(context))
+    body = "<h2>Measured with</h2>\n" + table(["what", ""], machine(contexts))
     body += f"<pre>{html.escape(chosen.command)}</pre>\n"
-    body += "<p>Every figure is in the .csv files beside this report, every repetition in the .json files.</p>\n"
+    body += table(["program", "command", "wall time, s", "began", "load average then (1, 5, 15 minutes)"],
+                  programs(contexts, chosen.directory))
+    body += ("<p>Figures are medians of the runs, spreads their quartiles, unless it says otherwise. Every figure is "
+             "in the .csv files beside this report, every repetition in the .json files.</p>\n")
     for heading, program, draw_charts, make_tables in SECTIONS:
         cases = everything.get(program)
         if not cases:
@@ -103,8 +139,9 @@ def main():
 
 
 SECTIONS = [
-    ("Speed against accuracy", "speed_accuracy", [charts.draw_step, charts.draw_trajectory], [tables.iso_error]),
-    ("The scene drape-2pin", "drape_2pin", [charts.draw_drape, charts.draw_step], [tables.drape]),
+    ("Speed against accuracy", "speed_accuracy", [work_precision.draw_step, work_precision.draw_trajectory],
+     [step_tables.iso_error, step_tables.trajectories, step_tables.other_errors, step_tables.set_up]),
+    ("The scene drape-2pin", "drape_2pin", [charts.draw_drape, work_precision.draw_step], [tables.drape]),
     ("Time steps per second against vertices", "fps", [charts.draw_fps], [tables.fps]),
     ("Where the time goes", "phases", [charts.draw_phases], [tables.phases]),
     ("Where methods fail", "stability", [charts.draw_stability], [tables.stability]),

@@ -25,7 +25,12 @@ class Case:
 
     @property
     def failed(self):
-        return bool(self.error) and not self.error.startswith("not tried")
+        return bool(self.error) and not self.untried
+
+    @property
+    def untried(self):
+        """Not tried, since a looser setting took too long already."""
+        return self.error.startswith("not tried")
 
     def values(self, key):
         return [run[key] for run in self.runs if key in run]
@@ -50,6 +55,9 @@ class Case:
         return after[0] if after else ("none", 1.0)
 
 
+SPREAD = ("error", "fps_simulation", "fps_full")  # counters whose quartiles a .csv has, beside those of the time
+
+
 def as_number(text):
     try:
         return float(text)
@@ -70,8 +78,10 @@ def read_results(file):
             continue
         name = APPENDED.sub("", entry.get("run_name", entry["name"]), count=1)
         case = cases.setdefault(name, Case(name))
-        if entry.get("error_occurred"):
-            case.error = entry["error_message"]
+        if entry.get("error_occurred") or entry.get("no_result"):
+            why = entry.get("error_message") or entry["label"]
+            if not why.startswith("not repeated"):  # since the runs before took long enough
+                case.error = why
             continue
         run = {"ms": entry["real_time"] * to_ms[entry["time_unit"]]}
         run.update({key: value for key, value in entry.items()
@@ -81,21 +91,25 @@ def read_results(file):
 
 
 def write_csv(cases, file):
-    """A line a case: fields, median, quartiles and mean of the time, median of each counter, what went wrong."""
+    """A line a case: runs, fields, median, quartiles and mean of the time, median of each counter and quartiles of
+    some, what went wrong."""
     fields, counters = {}, {}
     for case in cases.values():
         fields.update(dict.fromkeys(case.fields))
         for run in case.runs:
             counters.update(dict.fromkeys(key for key in run if key != "ms"))
+    spread = [key for key in SPREAD if key in counters]
     with open(file, "w", newline="", encoding="utf-8") as stream:
         out = csv.writer(stream)
         out.writerow(["name", "runs", *fields, "ms_median", "ms_lower_quartile", "ms_upper_quartile", "ms_mean",
-                      *counters, "error_message"])
+                      *counters, *(f"{key}_{which}_quartile" for key in spread for which in ("lower", "upper")),
+                      "error_message"])
         for case in cases.values():
-            times = ["", "", "", ""]
+            numbers = ["", "", "", ""]
             if case.runs:
-                times = [case.median("ms"), *case.quartiles("ms"), case.mean("ms")]
-            medians = [case.median(key) if case.values(key) else "" for key in counters]
+                numbers = [case.median("ms"), *case.quartiles("ms"), case.mean("ms")]
+            numbers += [case.median(key) if case.values(key) else "" for key in counters]
+            for key in spread:
+                numbers += case.quartiles(key) if case.values(key) else ("", "")
             out.writerow([case.name, len(case.runs), *(case.fields.get(key, "") for key in fields),
-                          *(f"{t:.6g}" if t != "" else "" for t in times),
-                          *(f"{m:.6g}" if m != "" else "" for m in medians), case.error])
+                          *(f"{v:.6g}" if v != "" else "" for v in numbers), case.error])

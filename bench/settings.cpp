@@ -4,8 +4,19 @@ namespace ease {
 
 namespace {
 
+std::optional<Acceleration> accelerationNamed(const std::string& method) {
+  if (method == "pd-anderson") return Acceleration::anderson;
+  if (method == "pd-chebyshev") return Acceleration::chebyshev;
+  return {};
+}
+
 Setting settingOf(const std::string& method, double value) {
-  Setting setting{method, "tolerance", value, {}};
+  Setting setting{method, "tolerance", value, {}, accelerationNamed(method)};
+  if (setting.acceleration) {
+    setting.knob = "iterations";
+    setting.options.iterations = static_cast<int>(value);
+    return setting;
+  }
   setting.options.method = methodNamed(method);
   if (method == "newton") {
     setting.knob = "residual";
@@ -28,6 +39,11 @@ const std::vector<std::string>& allMethods() {
   return methods;
 }
 
+const std::vector<std::string>& acceleratedMethods() {
+  static const std::vector<std::string> methods = {"pd-anderson", "pd-chebyshev"};
+  return methods;
+}
+
 std::vector<Setting> settingsOf(const std::string& method, bool coarse) {
   std::vector<double> values = {0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 1e-4, 1e-5, 1e-6};
   if (coarse) values = {0.3, 0.05, 0.01, 1e-3, 1e-5};
@@ -36,6 +52,7 @@ std::vector<Setting> settingsOf(const std::string& method, bool coarse) {
   if (method == "newton" && coarse) values = {10.0, 1.0, 0.01, 1e-5};
   if (method == "pd") values = {1, 3, 10, 30, 100, 300, 1000};
   if (method == "pd" && coarse) values = {1, 10, 100};
+  if (accelerationNamed(method)) values = {2, 5, 10, 20, 40, 80};
   std::vector<Setting> settings;
   for (double value : values) settings.push_back(settingOf(method, value));
   return settings;

@@ -135,12 +135,4 @@ void findNoContacts(const Positions&, Contacts& contacts) {
   contacts = {};
 }
 
-StepSummary advance(const Sheet& sheet, TimeStep& step, double time, double h, State& state) {
-  Pins pins;
-  sheet.hold(time + h, pins);
-  StepOptions options;
-  options.h = h;
-  return step.step(state, options, pins, findNoContacts);
-}
-
 }  // namespace ease

@@ -42,7 +42,14 @@ std::unique_ptr<Sheet> makeSheetNamed(const std::string& name, int side, double 
 /// Nothing to touch.
 void findNoContacts(const Positions& x, Contacts& contacts);
 
-/// Moves the sheet's state from `time` to time + h by one step of the method.
-StepSummary advance(const Sheet& sheet, TimeStep& step, double time, double h, State& state);
+/// Moves the sheet's state from `time` to time + h by one step of the method: a TimeStep, or what has its step().
+template <class Method>
+StepSummary advance(const Sheet& sheet, Method& method, double time, double h, State& state) {
+  Pins pins;
+  sheet.hold(time + h, pins);
+  StepOptions options;
+  options.h = h;
+  return method.step(state, options, pins, findNoContacts);
+}
 
 }  // namespace ease

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <optional>
 
+#include "bench/program.h"
 #include "solver/mesh/error.h"
 
 namespace ease {
@@ -57,33 +58,46 @@ class Trial {
       state.SkipWithError(fmt::format("not tried: a looser setting takes more than {} s a step", case_.slow_s).c_str());
       return;
     }
-    try {
-      if (run_ == 0) setUp(reference);
-      for (auto _ : state) takeStep(reference, state);
-    } catch (const ComputationError& error) {
-      state.SkipWithError(error.what());
+    for (auto _ : state) {
+      try {
+        if (run_ == 0) setUp(reference);
+        if (failure_.empty()) takeStep(reference, state);
+      } catch (const ComputationError& error) {
+        failure_ = error.what();
+      }
+      if (!failure_.empty()) tellNoResult(state, failure_);
     }
     if (++run_ < case_.runs) return;
     sweep_->slowest_s = std::max(sweep_->slowest_s, total_s_ / case_.runs);
     step_.reset();
+    accelerated_.reset();
     judge_.reset();
   }
 
  private:
   void setUp(const Reference& reference) {
     const Clock::time_point start = Clock::now();
-    step_.emplace(reference.sheet->cloth, setting_.options, reference.sheet->ordering);
+    const Sheet& sheet = *reference.sheet;
+    if (setting_.acceleration)
+      accelerated_.emplace(sheet.cloth, *setting_.acceleration, setting_.options.iterations, sheet.ordering);
+    else
+      step_.emplace(sheet.cloth, setting_.options, sheet.ordering);
     State first = reference.steps.front().start;
-    advance(*reference.sheet, *step_, reference.steps.front().time, case_.h, first);
+    move(sheet, reference.steps.front(), first);
     setup_ms_ = 1e3 * secondsSince(start);
     judge_.emplace(*reference.sheet);
+  }
+
+  StepSummary move(const Sheet& sheet, const ReferenceStep& from, State& state) {
+    return step_ ? advance(sheet, *step_, from.time, case_.h, state)
+                 : advance(sheet, *accelerated_, from.time, case_.h, state);
   }
 
   void takeStep(const Reference& reference, benchmark::State& state) {
     const ReferenceStep& from = reference.steps[run_ + 1];
     State moved = from.start;
     const Clock::time_point start = Clock::now();
-    const StepSummary summary = advance(*reference.sheet, *step_, from.time, case_.h, moved);
+    const StepSummary summary = move(*reference.sheet, from, moved);
     const double seconds = secondsSince(start);
     state.SetIterationTime(seconds);
     total_s_ += seconds;
@@ -109,10 +123,12 @@ class Trial {
   StepCase case_;
   Setting setting_;
   std::shared_ptr<Sweep> sweep_;
-  std::optional<TimeStep> step_;
+  std::optional<TimeStep> step_;  // or
+  std::optional<AcceleratedPd> accelerated_;
   std::optional<StepJudge> judge_;
   int run_ = 0;
   bool too_slow_ = false;
+  std::string failure_;  // the first; nothing is done from then on
   double setup_ms_ = 0.0, total_s_ = 0.0;
 };
 

@@ -1,61 +1,10 @@
-"""The tables of a bench run, as HTML."""
+"""The tables of a bench run but those of steps and trajectories, as HTML."""
 
-import html
 import math
 import statistics
 
-TARGETS = (1e-1, 1e-2, 1e-3, 1e-6)  # relative errors of a step
-
-
-def table(head, rows, marked_last=lambda text: False):
-    """`marked_last`: whether the last cell of a row, of this text, is marked."""
-    text = "<table><tr>" + "".join(f"<th>{html.escape(str(cell))}</th>" for cell in head) + "</tr>\n"
-    for row in rows:
-        marks = [""] * (len(row) - 1) + [" class=bad" if marked_last(row[-1]) else ""]
-        cells = "".join(f"<td{mark}>{html.escape(str(cell))}</td>" for mark, cell in zip(marks, row))
-        text += f"<tr>{cells}</tr>\n"
-    return text + "</table>\n"
-
-
-def fastest(cases, method, target):
-    """Least mean time, ms, of the method's settings whose median error is at most `target`; None: it has none."""
-    times = [case.mean("ms") for case in cases
-             if case.fields["method"] == method and case.runs and not case.failed
-             and abs(case.median("error")) <= target]
-    return min(times) if times else None
-
-
-def scenes_of(cases):
-    """Cases grouped by all that is not a method's."""
-    groups = {}
-    for case in cases:
-        key = tuple((k, case.fields[k]) for k in ("sheet", "n", "k", "h"))
-        groups.setdefault(key, []).append(case)
-    return groups
-
-
-def iso_error(cases):
-    """Time of each method at equal error, over Newton's."""
-    steps = [c for c in cases.values() if c.kind == "step" and c.fields["sheet"] != "hanging"]
-    methods = list(dict.fromkeys(c.fields["method"] for c in steps))
-    rows = []
-    for key, group in scenes_of(steps).items():
-        fields = dict(key)
-        for target in TARGETS:
-            times = {method: fastest(group, method, target) for method in methods}
-            newton, best = times.get("newton"), min((t for t in times.values() if t), default=None)
-            cells = [f"{times[m] / newton:.2f}" if times[m] and newton else "–" for m in methods]
-            auto = f"{times['auto'] / best:.2f}" if best and times.get("auto") else "–"
-            rows.append([f"{fields['sheet']} n={fields['n']:g} k={fields['k']:g} h=1/{1 / fields['h']:.0f}",
-                         f"{target:g}", f"{newton:.3g}" if newton else "–", *cells, auto])
-    return ("<p>Time of the soonest setting of each method whose median error of a step is at most the target, mean of "
-            "all runs (factorisations amortised), over Newton's; last column: <code>auto</code> over the soonest "
-            "method of all (marked beyond 1.3). –: not reached within the limits.</p>\n"
-            + table(["scene", "error", "newton, ms", *methods, "auto/best"], rows, marked_last=is_slow))
-
-
-def is_slow(text):
-    return text == "–" or float(text) > 1.3
+from html_table import table
+from step_tables import iso_error
 
 
 def exponent(points):
@@ -71,10 +20,11 @@ def fps(cases):
             chosen = [c for c in cases.values() if c.fields["body"] == body and c.fields["method"] == method]
             good = [c for c in chosen if c.runs]
             for c in chosen:
-                values = [c.error] + 10 * [""]
+                values = [c.error] + 12 * [""]
                 if c.runs:
-                    values = ["", f"{c.median('steps'):g}", f"{c.median('fps_simulation'):.3g}",
-                              f"{c.median('fps_full'):.3g}"]
+                    low, high = c.quartiles("fps_full")
+                    values = ["", len(c.runs), f"{c.median('steps'):g}", f"{c.median('fps_simulation'):.3g}",
+                              f"{c.median('fps_full'):.3g}", f"{low:.3g}–{high:.3g}" if len(c.runs) > 1 else ""]
                     values += [f"{c.median('ms_' + key):.3g}" for key in ("step", "level_set", "adaption", "output")]
                     values += [f"{c.median('setup_s'):.2g}", f"{c.median('first_step_s'):.2g}",
                                f"{c.median('peak_memory_MB'):.0f}"]
@@ -83,9 +33,10 @@ def fps(cases):
                 growth.append([f"{body} {method}"] + [
                     f"{-exponent([(c.median('vertices'), c.median(key)) for c in good]):.2f}"
                     for key in ("fps_simulation", "fps_full")])
-    head = ["run", "steps", "fps simulation", "fps full", "step, ms", "level set, ms", "adaption, ms", "output, ms",
-            "set-up, s", "first step, s", "peak memory, MB", "failure"]
-    return (table(head, rows)
+    head = ["run", "runs", "steps", "fps simulation", "fps full", "quartiles", "step, ms", "level set, ms",
+            "adaption, ms", "output, ms", "set-up, s", "first step, s", "peak memory, MB", "failure"]
+    return ("<p>Time steps a second, and milliseconds of one: medians of the runs, each in a process of its own.</p>\n"
+            + table(head, rows)
             + "<p>Time of a step grows as vertices to the power of:</p>\n"
             + table(["run", "simulation", "full"], growth))
 
@@ -93,10 +44,11 @@ def fps(cases):
 def phases(cases):
     rows = []
     for c in cases.values():
+        name = f"{c.fields['phase']} n={c.fields['n']:g}"
         if not c.runs:
-            rows.append([c.name, "failed", "", "", ""])
+            rows.append([name, "failed", "", "", "", ""])
             continue
-        ms, rate = c.median("ms"), ""
+        ms, low, high, rate = c.median("ms"), *c.quartiles("ms"), ""
         bound = f"{c.median('bound_ms'):.3g}" if c.values("bound_ms") else ""
         share = f"{100 * c.median('bound_ms') / ms:.0f} %" if bound else ""
         if c.values("triangles"):
@@ -107,8 +59,13 @@ def phases(cases):
             rate = f"{c.median('Mflop') / ms:.3g} Gflop/s"
         elif c.values("voxels"):
             rate = f"{1e-3 * c.median('voxels') / ms:.3g} million voxels/s"
-        rows.append([f"{c.fields['phase']} n={c.fields['n']:g}", f"{ms:.3g}", bound, share, rate])
-    return table(["phase", "ms", "bound, ms", "of the bound", "rate"], rows)
+        rows.append([name, f"{ms:.3g}", f"{low:.3g}–{high:.3g}", bound, share, rate])
+    runs = sorted({len(c.runs) for c in cases.values() if c.runs})
+    return (f"<p>Median and quartiles of {' or '.join(map(str, runs))} runs. The bound is the memory that a phase must "
+            "read, over the bandwidth at which as much is read again and again (as much of it from caches), or its "
+            "floating-point operations over the peak of one thread. Near a size of a cache (L3, see above) both depend "
+            "on what else runs: a share may come out over 100 % there.</p>\n"
+            + table(["phase", "ms", "quartiles", "bound, ms", "of the bound", "rate"], rows))
 
 
 # Rest state and times of drape-2pin by other codes, one thread of another machine: ms a step of 1/60 s.
@@ -135,8 +92,8 @@ def drape(cases):
                       f"{c.median('centre_sag_m'):.4f}",
                       f"{c.median('others_sag_low_m'):.4f} to {c.median('others_sag_high_m'):.4f}",
                       "yes" if c.median("agrees") else "no"])
-    return ("<p>At rest, against four independent implicit codes; ms: mean of the 120 steps of the swing, default "
-            "settings.</p>\n"
+    return ("<p>At rest, against four independent implicit codes; ms: mean of the 120 steps of the swing, one run, "
+            "default settings.</p>\n"
             + table(["run", "ms a step", "mean sigma_1", "others", "centre sag, m", "others", "agrees"], rests,
                     marked_last=lambda text: text == "no")
             + "<p>Other codes, each at its defaults, one thread, on another machine; ms a step:</p>\n"
@@ -150,4 +107,5 @@ def stability(cases):
             grades = [int(c.median("grade")) for c in cases.values()
                       if c.fields["sheet"] == sheet and c.fields["method"] == method and c.runs]
             rows.append([f"{sheet} {method}", *(str(grades.count(g)) for g in (2, 1, 0))])
-    return table(["map", "converged", "degraded", "failed"], rows)
+    return ("<p>Places of the map by their grade. No contact: the sheets are held by pins, or thrown.</p>\n"
+            + table(["map", "converged", "degraded", "failed"], rows))

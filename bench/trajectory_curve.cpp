@@ -5,7 +5,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <map>
 
+#include "bench/program.h"
 #include "bench/step_error.h"
 #include "solver/mesh/error.h"
 
@@ -17,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 using Snapshots = std::vector<Positions>;  // at common instants
 
 constexpr int kFiner = 16;  // of the reference's steps, in the least time step of the curves
-const MethodOptions kReference{Method::newton, 0.0, 1e-6, 0};
+const MethodOptions kReference{Method::newton, 0.0, 1e-6, 0}, kRoundOff{Method::newton, 0.0, 1e-9, 0};
 
 std::string nameOf(const TrajectoryCase& c) {
   return fmt::format("trajectory/sheet:{}/n:{}/k:{:g}", c.sheet, c.side * c.side, c.k);
@@ -39,6 +41,7 @@ Snapshots snapshots(const Sheet& sheet, const MethodOptions& options, const Traj
 struct Reference {
   std::unique_ptr<Sheet> sheet;
   Snapshots exact;
+  std::map<int, Snapshots> newton;  // with the same time step, by rate
 };
 
 /// Made when first asked for, and kept until another is.
@@ -51,20 +54,28 @@ const Reference& referenceOf(const TrajectoryCase& c) {
     const Snapshots coarse = snapshots(*reference.sheet, kReference, c, finest / 2);
     reference.exact = snapshots(*reference.sheet, kReference, c, finest);
     for (size_t i = 0; i < coarse.size(); ++i) reference.exact[i] = 2.0 * reference.exact[i] - coarse[i];
+    reference.newton.clear();
+    for (int rate : c.rates) reference.newton[rate] = snapshots(*reference.sheet, kRoundOff, c, rate);
     name = nameOf(c);
   }
   return reference;
 }
 
-void countErrors(benchmark::State& state, const Reference& reference, const Snapshots& x) {
+/// sum_t |a - b|_M^2
+double squaredDistance(const Cloth& cloth, const Snapshots& a, const Snapshots& b) {
+  double sum = 0.0;
+  for (size_t i = 0; i < a.size(); ++i) sum += std::pow(massNorm(cloth, a[i] - b[i]), 2);
+  return sum;
+}
+
+void countErrors(benchmark::State& state, const Reference& reference, int rate, const Snapshots& x) {
   const Cloth& cloth = reference.sheet->cloth;
-  double off = 0.0, moved = 0.0, mass = 0.0;
-  for (size_t i = 0; i < x.size(); ++i) {
-    off += std::pow(massNorm(cloth, x[i] - reference.exact[i]), 2);
-    moved += std::pow(massNorm(cloth, reference.exact[i] - reference.sheet->start.positions), 2);
-  }
+  const double off = squaredDistance(cloth, x, reference.exact);
+  const double moved = squaredDistance(cloth, reference.exact, Snapshots(x.size(), reference.sheet->start.positions));
+  double mass = 0.0;
   for (double m : cloth.masses()) mass += m;
   state.counters["error"] = std::sqrt(off / moved);
+  state.counters["method_error"] = std::sqrt(squaredDistance(cloth, x, reference.newton.at(rate)) / moved);
   state.counters["rms_mm"] = 1e3 * std::sqrt(off / (mass * static_cast<double>(x.size())));
 }
 
@@ -74,6 +85,8 @@ struct Trial {
   int rate;
   std::shared_ptr<double> slowest_s;  // of the method's settings so far
   bool started = false, too_slow = false;
+  int run = 0;
+  double total_s = 0.0;
 
   void operator()(benchmark::State& state) {
     const Reference& reference = referenceOf(trajectory);
@@ -83,19 +96,29 @@ struct Trial {
       state.SkipWithError(fmt::format("not tried: a looser setting takes more than {} s", trajectory.slow_s).c_str());
       return;
     }
-    try {
-      for (auto _ : state) {
-        const Clock::time_point start = Clock::now();
-        const Snapshots x = snapshots(*reference.sheet, setting.options, trajectory, rate);
-        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        state.SetIterationTime(seconds);
-        *slowest_s = std::max(*slowest_s, seconds);
-        countErrors(state, reference, x);
-        state.counters["ms_per_step"] = 1e3 * seconds / std::round(trajectory.duration * rate);
+    for (auto _ : state) {
+      if (run >= trajectory.least_runs && total_s > trajectory.enough_s) {
+        tellNoResult(state, fmt::format("not repeated: {} runs took long enough", run), total_s / run);
+        continue;
       }
-    } catch (const ComputationError& error) {
-      state.SkipWithError(error.what());
+      ++run;
+      try {
+        takeAll(reference, state);
+      } catch (const ComputationError& error) {
+        tellNoResult(state, error.what());
+      }
     }
+  }
+
+  void takeAll(const Reference& reference, benchmark::State& state) {
+    const Clock::time_point start = Clock::now();
+    const Snapshots x = snapshots(*reference.sheet, setting.options, trajectory, rate);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    state.SetIterationTime(seconds);
+    *slowest_s = std::max(*slowest_s, seconds);
+    total_s += seconds;
+    countErrors(state, reference, rate, x);
+    state.counters["ms_per_step"] = 1e3 * seconds / std::round(trajectory.duration * rate);
   }
 };
 

@@ -2,8 +2,10 @@
 //
 //   x(t)       where the method is               x*(t)   2 x_fine(t) - x_coarse(t): Newton's method at h/16 and h/8
 //                                                        extrapolated to h = 0 (Richardson; backward Euler has order 1)
-//   error      sqrt(sum_t |x - x*|_M^2 / sum_t |x* - x(0)|_M^2), over common instants t
-//   rms_mm     the same difference, root mean square over instants and mass, mm
+//   error         sqrt(sum_t |x - x*|_M^2 / sum_t |x* - x(0)|_M^2), over common instants t
+//   method_error  likewise of x - x_h, Newton's method with the same time step, taken to round-off: without backward
+//                 Euler's own error
+//   rms_mm        x - x*, root mean square over instants and mass, mm
 //
 // h is the least time step of the curves.
 #pragma once
@@ -18,11 +20,12 @@ namespace ease {
 struct TrajectoryCase {
   std::string sheet;
   int side = 32;
-  double k = 500.0;        // N/m
-  std::vector<int> rates;  // time steps per second; each divides the last
-  double duration = 0.25;  // s
-  int runs = 3;
-  double slow_s = 10.0;  // a trajectory: beyond this, the tighter settings of a method are not tried
+  double k = 500.0;               // N/m
+  std::vector<int> rates;         // time steps per second; each divides the last
+  double duration = 0.25;         // s
+  int runs = 15, least_runs = 3;  // repetitions: all, or fewer where
+  double enough_s = 0.7;          // they have taken so long, s
+  double slow_s = 10.0;           // a trajectory: beyond this, the tighter settings of a method are not tried
 };
 
 /// Registers a benchmark "trajectory/sheet:S/n:N/k:K/h:H/method:M/KNOB:VALUE" for each rate and setting.
