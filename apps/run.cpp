@@ -168,7 +168,7 @@ class Run {
     record_.cg_iterations += step.cg_iterations;
     record_.factorisations += step.factorisations;
     record_.halvings += step.halvings;
-    record_.short_of_tolerance += step.short_of_tolerance ? 1 : 0;
+    record_.short_of_tolerance += step.converged ? 0 : 1;
     if (body_) {
       sampleCloth(state_.positions, cloth_.triangles(), cloth_.topology().edges, samples_);
       contacts_.distancesSinceFind(samples_, distances_);

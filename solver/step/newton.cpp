@@ -62,13 +62,13 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     double next = length;
     if (halvings == 0 && previous > 0.0) next *= std::clamp(length / previous, kMostGain, 1.0);
     previous = length;
-    if (stop.error > 0.0 && next > stop.error && system_.factorIsNear()) {
+    if (stop.error > 0.0 && next > stop.error && (stop.all || system_.factorIsNear())) {
       const Positions& d = system_.precondition(-point.gradient);
       next = std::min(next, kUnseen * relativeLength(potential, point, d));
     }
     if (stop.error > 0.0 && next <= stop.error) {
       summary.converged = true;
-      break;
+      if (!stop.all) break;
     }
   }
   return summary;

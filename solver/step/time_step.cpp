@@ -80,7 +80,7 @@ void TimeStep::projective(const StopRule& stop, bool accelerated, StepSummary& s
 void TimeStep::minimise(StepSummary& summary) {
   switch (options_.method) {
     case Method::bw1:
-      return newton({1}, summary);
+      return newton({1, options_.tolerance, 0.0, 0, true}, summary);
     case Method::newton:
       return newton({kMostNewton, 0.0, options_.residual}, summary);
     case Method::pd:
@@ -126,7 +126,6 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
     choice_.took(summary.projective_iterations,
                  kNewtonCost * summary.newton_iterations + kCgCost * summary.cg_iterations,
                  summary.newton_iterations > 0 ? kFactorCost * summary.factorisations : 0.0);
-  summary.short_of_tolerance = !summary.converged && options_.method != Method::bw1;
   if (!point_.x.allFinite()) throw ComputationError("a position is not finite");
   state.velocities = (point_.x - state.positions) / options.h;
   state.positions = point_.x;

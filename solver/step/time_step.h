@@ -49,11 +49,10 @@ struct StepSummary {
   int projective_iterations = 0;
   int cg_iterations = 0;
   int factorisations = 0;
-  int halvings = 0;                 // of a correction that would have raised the potential
-  int contact_rounds = 0;           // times that contacts were found
-  bool handed_over = false;         // auto: to Newton
-  bool converged = false;           // bw1: never said
-  bool short_of_tolerance = false;  // the others: stopped before, by rounding or by the number of iterations
+  int halvings = 0;          // of a correction that would have raised the potential
+  int contact_rounds = 0;    // times that contacts were found
+  bool handed_over = false;  // auto: to Newton
+  bool converged = false;    // else stopped short of the tolerance, by rounding or by the number of iterations
 };
 
 class TimeStep {
