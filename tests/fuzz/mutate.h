@@ -2,7 +2,10 @@
 // wrong program or malice make of an input.
 #pragma once
 
+#include <algorithm>
 #include <cctype>
+#include <cstdint>
+#include <cstring>
 #include <random>
 #include <string>
 #include <vector>
@@ -30,7 +33,7 @@ class Mutator {
         "[",        "]",           "=", "\"", "'", "\n", "{", "}", "#", ",", "[[garment.pin]]\n", std::string(1, '\0'),
         "\xff\xfe", "steps = 3\n", "<", "/>", "&"};
     const size_t at = upTo(bytes.size()), length = 1 + upTo(12);
-    switch (upTo(8)) {
+    switch (upTo(9)) {
       case 0:
         bytes.erase(at, length);
         break;
@@ -46,9 +49,20 @@ class Mutator {
       case 4:
         if (!bytes.empty()) bytes[at] = static_cast<char>(random_());
         break;
+      case 5:
+        overwrite(bytes, at);
+        break;
       default:
         replaceNumber(bytes, at, numbers[upTo(numbers.size())]);
     }
+  }
+
+  /// Four bytes of a binary file: an extreme count, index or number.
+  void overwrite(std::string& bytes, size_t at) {
+    static const std::vector<std::uint32_t> words = {0,          1,          0x7fffffff, 0x80000000, 0xffffffff,
+                                                     0x7f800000, 0x7fc00000, 0x7f7fffff, 0x00000001, 0x0000ffff};
+    const std::uint32_t word = words[upTo(words.size())];
+    if (at + sizeof word <= bytes.size()) std::memcpy(&bytes[at], &word, sizeof word);
   }
 
   /// The first number from `at` on.
