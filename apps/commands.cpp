@@ -82,7 +82,7 @@ fs::path directoryOf(const Arguments& arguments, const Scene& scene) {
 void say(const char* kind, std::string line) {
   std::replace_if(
       line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
-  fmt::print(stderr, "ease: {}: {}\n", kind, line);
+  std::fputs(fmt::format("ease: {}: {}\n", kind, line).c_str(), stderr);  // fmt::print would throw where it is full
 }
 
 ExitCode guarded(const std::function<ExitCode()>& command) {

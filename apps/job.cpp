@@ -4,6 +4,8 @@
 
 #include <cstdio>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "adaption/clip.h"
 #include "adaption/stitch.h"
@@ -15,7 +17,9 @@
 #include "apps/run.h"
 #include "solver/mesh/error.h"
 #include "solver/mesh/mesh_io.h"
+#include "solver/mesh/whole_file.h"
 #include "viz/picture.h"
+#include "viz/series.h"
 
 namespace ease {
 
@@ -88,18 +92,21 @@ class Job {
   }
 
  private:
-  /// Those of an earlier run that this one may not write again.
+  /// Those of an earlier run that this one may not write again, and what one that was killed left unfinished.
   void removeOldResults() const {
-    if (!here_) std::filesystem::remove(directory_ / kCheckpoint);
-    for (const char* name :
-         {"report.json", "stretch.png", "stretch_first_pose.png", "garment.pvd", "body.pvd", "rest.pvd",
-          "rest_shape.obj", "rest_shape.vtp", "rest_pieces.obj", "rest_pieces.vtp", "rest_pieces.json"}) {
-      if (std::filesystem::is_directory(directory_ / name))
-        throw InputError(
-            fmt::format("{}: is a directory: a result of that name is to be written", (directory_ / name).string()));
-      const bool goes_on = here_ && std::filesystem::path(name).extension() == ".pvd";
-      if (!goes_on) std::filesystem::remove(directory_ / name);
+    const auto remove = [&](const std::string& name) {
+      const std::filesystem::path file = directory_ / name;
+      if (std::filesystem::is_directory(file))
+        throw InputError(fmt::format("{}: is a directory: a result of that name is to be written", file.string()));
+      std::filesystem::remove(file);
+    };
+    for (const char* name : {kCheckpoint, "report.json", "stretch.png", "stretch_first_pose.png", "rest_shape.obj",
+                             "rest_shape.vtp", "rest_pieces.obj", "rest_pieces.vtp", "rest_pieces.json"}) {
+      remove(temporaryName(name).string());
+      if (!here_ || std::string_view(name) != kCheckpoint) remove(name);
     }
+    if (!here_)
+      for (const char* series : {"garment", "body", "rest"}) removeSeries(directory_, series);
   }
 
   StepsDone done() const { return from_ ? from_->done : StepsDone(); }
@@ -238,7 +245,7 @@ class Job {
     report_.interrupted = interrupted_;
     report_.total_s = secondsSince(start);
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
-      fmt::print(stderr, "ease: warning: {}\n", report_.warnings[k]);
+      std::fputs(fmt::format("ease: warning: {}\n", report_.warnings[k]).c_str(), stderr);
     writeReport(report_, scene_, directory_);
   }
 

@@ -1,7 +1,6 @@
 #include "apps/result_directory.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -44,7 +43,7 @@ ResultDirectory::ResultDirectory(const fs::path& path) : path_(path) {
     removeEmpty();
     throw InputError(fmt::format("{}: cannot make this directory: {}", path.string(), error.message()));
   }
-  const fs::path probe = path / fmt::format(".writable-{}", ::getpid());
+  const fs::path probe = path / ".ease-writable";  // the same each time: one that a killed run left goes as well
   errno = 0;
   const bool writable = static_cast<bool>(std::ofstream(probe) << '\n' << std::flush);
   const int reason = errno;

@@ -85,7 +85,7 @@ bool isPrintable(const std::string& line) {
   return std::none_of(line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; });
 }
 
-/// What is wrong with the lines on stderr; `refused`: which file it is about must be said.
+/// What is wrong with the lines on stderr; of a wrong input a file must be named.
 std::string faultOfLines(const std::string& err, int code, const FuzzKind& kind) {
   int errors = 0;
   std::istringstream lines(err);
@@ -97,8 +97,8 @@ std::string faultOfLines(const std::string& err, int code, const FuzzKind& kind)
     if (line.starts_with("ease: warning: ")) continue;
     if (!line.starts_with("ease: error: ")) return "a line that is neither warning nor error";
     ++errors;
-    const bool names_file =
-        line.find("scene.toml") != std::string::npos || line.find(kind.damaged) != std::string::npos;
+    const bool names_file = std::any_of(kind.files.begin(), kind.files.end(),
+                                        [&](const auto& file) { return line.find(file.first) != std::string::npos; });
     if (code == 1 && !names_file) return "an error without its file";
   }
   if (errors != (code == 0 ? 0 : 1)) return fmt::format("{} errors with exit code {}", errors, code);
