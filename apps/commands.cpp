@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <new>
@@ -15,6 +14,7 @@
 #include "apps/resume.h"
 #include "apps/scene.h"
 #include "apps/timeline.h"
+#include "apps/words.h"
 #include "solver/mesh/error.h"
 #include "solver/mesh/topology.h"
 
@@ -79,10 +79,9 @@ fs::path directoryOf(const Arguments& arguments, const Scene& scene) {
 
 }  // namespace
 
-void say(const char* kind, std::string line) {
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
-  std::fputs(fmt::format("ease: {}: {}\n", kind, line).c_str(), stderr);  // fmt::print would throw where it is full
+void say(const char* kind, const std::string& line) {
+  std::fputs(fmt::format("ease: {}: {}\n", kind, oneLine(line)).c_str(),
+             stderr);  // fmt::print would throw where it is full
 }
 
 ExitCode guarded(const std::function<ExitCode()>& command) {

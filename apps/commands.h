@@ -18,7 +18,7 @@ struct Arguments {
 };
 
 /// Prints "ease: KIND: LINE" on stderr, as one line whatever is in it.
-void say(const char* kind, std::string line);
+void say(const char* kind, const std::string& line);
 
 /// Calls `command`; whatever goes wrong becomes one line and an exit code.
 ExitCode guarded(const std::function<ExitCode()>& command);

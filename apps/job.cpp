@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "adaption/clip.h"
 #include "adaption/stitch.h"
@@ -13,13 +12,12 @@
 #include "apps/garment_files.h"
 #include "apps/progress.h"
 #include "apps/report.h"
+#include "apps/result_directory.h"
 #include "apps/resume.h"
 #include "apps/run.h"
 #include "solver/mesh/error.h"
 #include "solver/mesh/mesh_io.h"
-#include "solver/mesh/whole_file.h"
 #include "viz/picture.h"
-#include "viz/series.h"
 
 namespace ease {
 
@@ -74,7 +72,7 @@ class Job {
 
   bool operator()() {
     const Clock::time_point start = Clock::now();
-    removeOldResults();
+    removeOldResults(directory_, here_);
     setUp();
     report_.setup_s = secondsSince(start);
     try {
@@ -87,28 +85,12 @@ class Job {
     }
     if (!interrupted_) drawPictures();
     finishReport(start);
+    if (!interrupted_) removeEarlierReport(directory_);
     fmt::print("{}", summaryText(report_));
     return !interrupted_;
   }
 
  private:
-  /// Those of an earlier run that this one may not write again, and what one that was killed left unfinished.
-  void removeOldResults() const {
-    const auto remove = [&](const std::string& name) {
-      const std::filesystem::path file = directory_ / name;
-      if (std::filesystem::is_directory(file))
-        throw InputError(fmt::format("{}: is a directory: a result of that name is to be written", file.string()));
-      std::filesystem::remove(file);
-    };
-    for (const char* name : {kCheckpoint, "report.json", "stretch.png", "stretch_first_pose.png", "rest_shape.obj",
-                             "rest_shape.vtp", "rest_pieces.obj", "rest_pieces.vtp", "rest_pieces.json"}) {
-      remove(temporaryName(name).string());
-      if (!here_ || std::string_view(name) != kCheckpoint) remove(name);
-    }
-    if (!here_)
-      for (const char* series : {"garment", "body", "rest"}) removeSeries(directory_, series);
-  }
-
   StepsDone done() const { return from_ ? from_->done : StepsDone(); }
 
   /// s of motion, until which the series in the directory are kept; -1: none are.

@@ -54,13 +54,12 @@ bool mountSmall(const fs::path& directory) {
 }  // namespace
 
 TEST_CASE("a run that is interrupted leaves series that open and a checkpoint to go on from") {
-  const int signal = GENERATE(SIGINT, SIGTERM);
-  const size_t frames = GENERATE(1, 3, 14);
+  const auto [signal, frames] = GENERATE(table<int, size_t>({{SIGINT, 1}, {SIGTERM, 3}, {SIGINT, 14}}));
   const TemporaryDirectory directory;
   const fs::path there = directory.path / "there";
   writeScene(directory, 1000000);
   Started run(directory, kRun);
-  run.waitUntil([&] { return framesIn(there) >= frames; });
+  run.waitUntil([&, wanted = frames] { return framesIn(there) >= wanted; });
   run.stop(signal);
   CHECK(run.code() == 130);
   const std::string err = contentOf(directory.path / "err");
@@ -78,13 +77,12 @@ TEST_CASE("a run that is interrupted leaves series that open and a checkpoint to
 }
 
 TEST_CASE("a run that is killed leaves series that open; the next run takes away what it left unfinished") {
-  const bool while_writing = GENERATE(true, false);
   const bool goes_on = GENERATE(true, false);
   const TemporaryDirectory directory;
   const fs::path there = directory.path / "there";
   writeScene(directory, 1000000);
   Started run(directory, kRun);
-  run.waitUntil([&] { return framesIn(there) >= 3 && (!while_writing || hasTemporary(there / "garment")); });
+  run.waitUntil([&] { return framesIn(there) >= 3 && hasTemporary(there / "garment"); });
   run.stop(SIGKILL);
   CHECK(run.signal() == SIGKILL);
   CHECK(faultIn(there, true) == "");
@@ -126,6 +124,30 @@ TEST_CASE("a run that is killed before its tenth frame goes on to what an unbrok
     const bool same = contentOf(directory.path / "whole" / file) == contentOf(directory.path / "there" / file);
     CHECK(same);
   }
+}
+
+TEST_CASE("a run that goes on keeps the report and the picture before it until it has ended") {
+  const TemporaryDirectory directory;
+  const fs::path there = directory.path / "there";
+  writeScene(directory, 4);
+  REQUIRE(runEase(directory, "run sheet.toml -o there").code == 0);
+  const std::string report = contentOf(there / "report.json"), picture = contentOf(there / "stretch.png");
+  for (int time = 0; time < 2; ++time) {
+    writeScene(directory, 1000000);
+    const size_t before = framesIn(there);
+    Started run(directory, {"run", "sheet.toml", "--resume", "there"});
+    run.waitUntil([&] { return framesIn(there) > before + 10; });
+    run.stop(SIGINT);
+    CHECK(run.code() == 130);
+    CHECK(contentOf(there / "earlier_report.json") == report);
+    CHECK(contentOf(there / "earlier_stretch.png") == picture);
+    CHECK_THAT(contentOf(there / "report.json"), Contains("\"interrupted\": true"));
+  }
+  writeScene(directory, readCheckpoint(there / "checkpoint.bin").done.all + 4);
+  REQUIRE(runEase(directory, "run sheet.toml --resume there").code == 0);
+  CHECK_FALSE(fs::exists(there / "earlier_report.json"));
+  CHECK_FALSE(fs::exists(there / "earlier_stretch.png"));
+  CHECK(fs::exists(there / "stretch.png"));
 }
 
 TEST_CASE("a program that is stopped as it starts ends in order at any moment") {
