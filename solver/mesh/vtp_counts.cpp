@@ -66,11 +66,10 @@ class Counts {
   void check() const {
     for (std::size_t at = bytes_.find("<Piece"); at != npos; at = bytes_.find("<Piece", at + 1))
       for (const char* count : {"NumberOfPoints", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys"})
-        expectLittle(number(attribute(tagNamed("<Piece", at), count)), count);
+        expectCount(tagNamed("<Piece", at), count);
     for (std::size_t at = bytes_.find("<DataArray"); at != npos; at = bytes_.find("<DataArray", at + 1)) {
       const std::string_view tag = tagNamed("<DataArray", at), format = attribute(tag, "format");
-      expectLittle(number(attribute(tag, "NumberOfComponents")), "NumberOfComponents");
-      expectLittle(number(attribute(tag, "NumberOfTuples")), "NumberOfTuples");
+      for (const char* count : {"NumberOfComponents", "NumberOfTuples", "offset"}) expectCount(tag, count);
       if (!compressed_) continue;
       if (format == "binary") checkBlocks(bytes_.substr(std::min(at + tag.size(), bytes_.size())), true);
       const std::uint64_t offset = number(attribute(tag, "offset"));
@@ -86,10 +85,19 @@ class Counts {
     return end == npos ? std::string_view() : bytes_.substr(at, end + 1 - at);
   }
 
+  /// As VTK reads a whole number; what is negative or too large is the largest.
   static std::uint64_t number(std::string_view text) {
+    while (!text.empty() && (std::isspace(static_cast<unsigned char>(text.front())) || text.front() == '+'))
+      text.remove_prefix(1);
     std::uint64_t value = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-    return result.ec == std::errc::result_out_of_range ? UINT64_MAX : value;
+    return text.starts_with('-') || result.ec == std::errc::result_out_of_range ? UINT64_MAX : value;
+  }
+
+  void expectCount(std::string_view tag, const char* what) const {
+    const std::string_view text = attribute(tag, what);
+    if (number(text) > most_)
+      throw InputError(fmt::format("{}: damaged: {} = {} in a file of {} bytes", name_, what, text, bytes_.size()));
   }
 
   void expectLittle(std::uint64_t count, const char* what) const {

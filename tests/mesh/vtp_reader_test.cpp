@@ -62,9 +62,12 @@ TEST_CASE("a VTP of strips is refused, and so is a polygon of two corners") {
 
 TEST_CASE("a VTP whose counts its bytes cannot fill is refused before VTK takes memory for them") {
   const Folder folder;
-  std::string whole = vtp(kPoints, "0 1 2 3", "4");
-  whole.replace(whole.find("NumberOfPoints=\"4\""), 18, "NumberOfPoints = '4000000000'");
-  CHECK_THAT(messageOf(folder.write("a.vtp", whole)), Contains("damaged: NumberOfPoints = 4000000000 in a file of"));
+  for (const std::string count : {"4000000000", "-4", " -4", "99999999999999999999"}) {
+    std::string whole = vtp(kPoints, "0 1 2 3", "4");
+    whole.replace(whole.find("NumberOfPoints=\"4\""), 18, "NumberOfPoints = '" + count + "'");
+    CHECK_THAT(messageOf(folder.write("a.vtp", whole)),
+               Contains("damaged: NumberOfPoints = " + count + " in a file of"));
+  }
 }
 
 TEST_CASE("a compressed VTP with blocks of no bytes, or more than the file can hold, is refused") {
