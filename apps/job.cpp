@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <string>
 
 #include "adaption/clip.h"
 #include "adaption/stitch.h"
@@ -11,6 +12,7 @@
 #include "apps/garment_files.h"
 #include "apps/progress.h"
 #include "apps/report.h"
+#include "apps/result_directory.h"
 #include "apps/resume.h"
 #include "apps/run.h"
 #include "solver/mesh/error.h"
@@ -70,7 +72,7 @@ class Job {
 
   bool operator()() {
     const Clock::time_point start = Clock::now();
-    removeOldResults();
+    removeOldResults(directory_, here_);
     setUp();
     report_.setup_s = secondsSince(start);
     try {
@@ -83,25 +85,12 @@ class Job {
     }
     if (!interrupted_) drawPictures();
     finishReport(start);
+    if (!interrupted_) removeEarlierReport(directory_);
     fmt::print("{}", summaryText(report_));
     return !interrupted_;
   }
 
  private:
-  /// Those of an earlier run that this one may not write again.
-  void removeOldResults() const {
-    if (!here_) std::filesystem::remove(directory_ / kCheckpoint);
-    for (const char* name :
-         {"report.json", "stretch.png", "stretch_first_pose.png", "garment.pvd", "body.pvd", "rest.pvd",
-          "rest_shape.obj", "rest_shape.vtp", "rest_pieces.obj", "rest_pieces.vtp", "rest_pieces.json"}) {
-      if (std::filesystem::is_directory(directory_ / name))
-        throw InputError(
-            fmt::format("{}: is a directory: a result of that name is to be written", (directory_ / name).string()));
-      const bool goes_on = here_ && std::filesystem::path(name).extension() == ".pvd";
-      if (!goes_on) std::filesystem::remove(directory_ / name);
-    }
-  }
-
   StepsDone done() const { return from_ ? from_->done : StepsDone(); }
 
   /// s of motion, until which the series in the directory are kept; -1: none are.
@@ -239,7 +228,7 @@ class Job {
     report_.interrupted = interrupted_;
     report_.total_s = secondsSince(start);
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
-      fmt::print(stderr, "ease: warning: {}\n", report_.warnings[k]);
+      std::fputs(fmt::format("ease: warning: {}\n", report_.warnings[k]).c_str(), stderr);
     writeReport(report_, scene_, directory_);
   }
 

@@ -31,10 +31,7 @@ void Progress::advance(const std::string& what) {
   const std::string text =
       fmt::format("{:3.0f} %  {}  {} left", 100.0 * static_cast<double>(done_) / static_cast<double>(total_), what,
                   durationText(left));
-  if (terminal_)
-    fmt::print(stderr, "\r\033[K{}", text);
-  else
-    fmt::print(stderr, "{}\n", text);
+  std::fputs((terminal_ ? "\r\033[K" + text : text + "\n").c_str(), stderr);
   std::fflush(stderr);
   line_open_ = terminal_;
 }

@@ -1,7 +1,6 @@
 #include "apps/result_directory.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -10,7 +9,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "apps/resume.h"
 #include "solver/mesh/error.h"
+#include "solver/mesh/whole_file.h"
+#include "viz/series.h"
 
 namespace ease {
 
@@ -21,6 +23,20 @@ namespace fs = std::filesystem;
 // garment.json last: where it is and is Ease's, so are the others.
 constexpr std::array kGarmentFiles = {"garment.obj", "garment.vtp", "garment.png", "body.obj",
                                       "pieces.obj",  "pieces.vtp",  "pieces.json", "garment.json"};
+
+constexpr std::array kShown = {"report.json", "stretch.png", "stretch_first_pose.png"};
+constexpr std::array kShapes = {"rest_shape.obj", "rest_shape.vtp", "rest_pieces.obj", "rest_pieces.vtp",
+                                "rest_pieces.json"};
+
+void removeResult(const fs::path& file) {
+  if (fs::is_directory(file))
+    throw InputError(fmt::format("{}: is a directory: a result of that name is to be written", file.string()));
+  fs::remove(file);
+}
+
+fs::path earlier(const fs::path& directory, const std::string& name) {
+  return directory / ("earlier_" + name);
+}
 
 bool reads(const Scene& scene, const fs::path& file) {
   const auto isFile = [&](const std::string& named) {
@@ -44,7 +60,7 @@ ResultDirectory::ResultDirectory(const fs::path& path) : path_(path) {
     removeEmpty();
     throw InputError(fmt::format("{}: cannot make this directory: {}", path.string(), error.message()));
   }
-  const fs::path probe = path / fmt::format(".writable-{}", ::getpid());
+  const fs::path probe = path / ".ease-writable";  // the same each time: one that a killed run left goes as well
   errno = 0;
   const bool writable = static_cast<bool>(std::ofstream(probe) << '\n' << std::flush);
   const int reason = errno;
@@ -71,6 +87,30 @@ void ResultDirectory::removeOldGarment(const Scene& scene) const {
   if (std::any_of(kGarmentFiles.begin(), kGarmentFiles.end(), isRead)) return;
   std::error_code is_directory;  // then writing tells
   for (const char* name : kGarmentFiles) fs::remove(path_ / name, is_directory);
+}
+
+void removeOldResults(const fs::path& directory, bool goes_on) {
+  for (const char* name : kShown) {
+    removeResult(temporaryName(directory / name));
+    const bool is_kept = goes_on && fs::is_regular_file(directory / name) && !fs::exists(earlier(directory, name));
+    if (is_kept)
+      fs::rename(directory / name, earlier(directory, name));
+    else
+      removeResult(directory / name);
+  }
+  for (const char* name : kShapes) {
+    removeResult(temporaryName(directory / name));
+    removeResult(directory / name);
+  }
+  removeResult(temporaryName(directory / kCheckpoint));
+  if (goes_on) return;
+  removeEarlierReport(directory);
+  removeResult(directory / kCheckpoint);
+  for (const char* series : {"garment", "body", "rest"}) removeSeries(directory, series);
+}
+
+void removeEarlierReport(const fs::path& directory) {
+  for (const char* name : kShown) removeResult(earlier(directory, name));
 }
 
 }  // namespace ease

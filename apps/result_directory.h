@@ -29,4 +29,12 @@ class ResultDirectory {
   std::vector<std::filesystem::path> made_;  // innermost first
 };
 
+/// Removes the results of an earlier run that the one to come may not write again, and what one that was killed left
+/// unfinished.  `goes_on`: with that run; its series and checkpoint stay, and its report and pictures under other
+/// names.
+void removeOldResults(const std::filesystem::path& directory, bool goes_on);
+
+/// Removes the report and pictures that removeOldResults() kept.
+void removeEarlierReport(const std::filesystem::path& directory);
+
 }  // namespace ease

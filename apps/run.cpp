@@ -100,6 +100,7 @@ class Run {
     const Moment start{{}, 0.0, 0.0, -1, body_ ? 0 : -1, false, false, true, options_.series != nullptr, false};
     measure(start);
     if (options_.series) write(start);
+    if (options_.keep) keep(start);
   }
 
   void goOn(const Checkpoint& from) {

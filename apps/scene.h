@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "garment/authoring.h"
+#include "solver/mesh/error.h"
 #include "solver/mesh/numbering.h"
 #include "solver/model/material.h"
 
@@ -111,8 +112,10 @@ struct StartGarment {
 
 /// Reads meshes and checks all that a run relies on; makes the garment that has tools.  Throws InputError.  `tell`: is
 /// given every warning as soon as it is known, since what follows may fail for the same reason.  `before`: of a run
-/// that goes on; the scene's garment must have its triangles, and takes its positions.
-SceneInput readSceneInput(const Scene& scene, const Warn& tell = nullptr, const StartGarment* before = nullptr);
+/// that goes on; the scene's garment must have its triangles, and takes its positions.  `pause`: between meshes and
+/// tools.
+SceneInput readSceneInput(const Scene& scene, const Warn& tell = nullptr, const StartGarment* before = nullptr,
+                          const Pause& pause = nullptr);
 
 /// The same garment, its vertices and triangles in another order; without what authoring alone knows.
 SceneInput renumbered(const SceneInput& input, const Numbering& numbering);

@@ -71,7 +71,7 @@ void warnOfHeight(const Positions& pose, const std::string& name, const Warn& wa
   warn(fmt::format("{}: {:.4g} m tall along y: a person is not; units? metres expected, y up", name, height));
 }
 
-void readFilePoses(const Scene& scene, const Warn& warn, SceneInput& input) {
+void readFilePoses(const Scene& scene, const Warn& warn, const Pause& pause, SceneInput& input) {
   std::map<std::string, size_t> seen;  // poses that return are read once
   TriangleMesh first;
   std::string first_name;
@@ -82,6 +82,7 @@ void readFilePoses(const Scene& scene, const Warn& warn, SceneInput& input) {
       input.poses.push_back(input.poses[entry->second]);
       continue;
     }
+    pauseIn(pause);
     const std::string name = besideScene(scene, file).string();
     TriangleMesh pose = readNamedMesh(scene, "[body] poses", file);
     checkGeometry(pose, name);
@@ -100,7 +101,7 @@ void readFilePoses(const Scene& scene, const Warn& warn, SceneInput& input) {
   input.body_triangles = std::move(first.triangles);
 }
 
-void makeBuiltinPoses(const Scene& scene, SceneInput& input) {
+void makeBuiltinPoses(const Scene& scene, const Pause& pause, SceneInput& input) {
   std::map<std::string, size_t> seen;
   for (const std::string& name : scene.body->poses) {
     const auto [entry, is_new] = seen.emplace(name, input.poses.size());
@@ -109,17 +110,18 @@ void makeBuiltinPoses(const Scene& scene, SceneInput& input) {
       input.poses.push_back(input.poses[entry->second]);
       continue;
     }
+    pauseIn(pause);
     TriangleMesh pose = mannequin(name);
     input.body_triangles = std::move(pose.triangles);
     input.poses.push_back(std::move(pose.positions));
   }
 }
 
-void readPoses(const Scene& scene, const Warn& warn, SceneInput& input) {
+void readPoses(const Scene& scene, const Warn& warn, const Pause& pause, SceneInput& input) {
   if (scene.body->builtin.empty()) {
-    readFilePoses(scene, warn, input);
+    readFilePoses(scene, warn, pause, input);
   } else {
-    makeBuiltinPoses(scene, input);
+    makeBuiltinPoses(scene, pause, input);
   }
 }
 
@@ -134,12 +136,12 @@ auto ofGarment(const Scene& scene, const Make& make) {
 }
 
 /// Reads or makes the garment; returns what to call it in messages.  `offset`: that a built-in one is made for, m.
-std::string readGarment(const Scene& scene, double offset, const Warn& warn, SceneInput& input) {
+std::string readGarment(const Scene& scene, double offset, const Warn& warn, const Pause& pause, SceneInput& input) {
   const GarmentScene& garment = scene.garment;
   if (garment.tools) {
     input.authored = ofGarment(scene, [&] {
       return authorGarment({input.poses.front(), input.body_triangles}, *garment.tools,
-                           {scene.collision.offset, garment.comfort_regions});
+                           {scene.collision.offset, garment.comfort_regions}, pause);
     });
     const std::string name = scene.file.string() + ": [garment]";
     for (const std::string& flaw : flawsOf(input.authored->quality)) warn(name + " as made: " + flaw);
@@ -213,7 +215,7 @@ void checkStart(const SceneInput& input, const std::string& garment_name) {
 
 }  // namespace
 
-SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarment* before) {
+SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarment* before, const Pause& pause) {
   SceneInput input;
   const Warn warn = [&](const std::string& warning) {
     input.warnings.push_back(warning);
@@ -225,8 +227,8 @@ SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarme
                     "stands for 8 %",
                     scene.file.string(), scene.adaption->limit, 1.0 + scene.adaption->limit));
   // A garment that is authored needs its body; otherwise its faults are told first.
-  if (scene.garment.tools) readPoses(scene, warn, input);
-  const std::string name = readGarment(scene, before ? before->offset : scene.collision.offset, warn, input);
+  if (scene.garment.tools) readPoses(scene, warn, pause, input);
+  const std::string name = readGarment(scene, before ? before->offset : scene.collision.offset, warn, pause, input);
   if (before) startAs(*before, name, warn, input);
   checkGeometry(input.garment, name);
   checkVerticesUsed(input.garment, name);
@@ -241,7 +243,7 @@ SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarme
     input.paint = ofGarment(scene, [&] { return paintedScales(input.garment, scene.garment.paint); });
 
   if (!scene.body) return input;
-  if (!scene.garment.tools) readPoses(scene, warn, input);
+  if (!scene.garment.tools) readPoses(scene, warn, pause, input);
   checkStart(input, name);
   return input;
 }

@@ -53,8 +53,7 @@ std::string valueText(const toml::node& node) {
   } else {
     std::ostringstream out;
     node.visit([&](const auto& value) { out << value; });
-    text = out.str();
-    std::replace(text.begin(), text.end(), '\n', ' ');
+    text = oneLine(out.str());
   }
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + " ...";
 }
@@ -111,17 +110,18 @@ TomlTable::TomlTable(std::shared_ptr<const Data> data) : data_(std::move(data)) 
 TomlTable TomlTable::read(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) throw InputError(fmt::format("{}: no such scene file", file.string()));
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream content;
   if (std::filesystem::file_size(file, ignored) == 0)
     throw InputError(fmt::format("{}: is empty: expected a scene, with a table [garment]", file.string()));
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream content;
   if (std::filesystem::is_directory(file, ignored) || !in || !(content << in.rdbuf()))
     throw InputError(fmt::format("{}: cannot be read as a scene file", file.string()));
   try {
     auto root = std::make_shared<const toml::table>(toml::parse(content.str(), file.string()));
     return TomlTable(std::make_shared<const Data>(Data{root, root.get(), file.string(), "", false}));
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
+    const auto line = error.source().begin.line;
+    throw InputError(fmt::format("{}:{}: not TOML: {}", file.string(), line, oneLine(error.description())));
   }
 }
 

@@ -33,6 +33,12 @@ std::string listWords(const std::vector<std::string>& words) {
   return list;
 }
 
+std::string oneLine(std::string_view text) {
+  std::string line;
+  for (const unsigned char c : text) line += c < ' ' || c == 127 ? ' ' : static_cast<char>(c);
+  return line;
+}
+
 std::string nearestWord(std::string_view word, const std::vector<std::string>& words) {
   std::string nearest;
   size_t least = std::max<size_t>(2, word.size() / 3) + 1;

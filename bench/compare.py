@@ -45,7 +45,7 @@ def read(path):
     cases = {}
     for file in files:
         try:
-            cases.update(read_results(file)[1])
+            cases.update({name: case for name, case in read_results(file)[1].items() if case.kind != "fuzz"})
         except (OSError, json.JSONDecodeError, KeyError, TypeError) as error:
             fail(f"{file}: not a result of Google Benchmark: {error}")
     if not cases:

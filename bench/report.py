@@ -145,6 +145,7 @@ SECTIONS = [
     ("Time steps per second against vertices", "fps", [charts.draw_fps], [tables.fps]),
     ("Where the time goes", "phases", [charts.draw_phases], [tables.phases]),
     ("Where methods fail", "stability", [charts.draw_stability], [tables.stability]),
+    ("Damaged inputs", "fuzz", [], [tables.fuzz]),
 ]
 
 main()

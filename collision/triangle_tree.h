@@ -3,7 +3,7 @@
 // Built once for the connectivity, refit for every pose.  The surface is closed, its triangles counter-clockwise from
 // outside.  Where it passes through itself or one part lies in another, the body is the union of all that it encloses:
 // the points with a positive winding number.  A part of the surface that lies within that union bounds nothing and
-// is called buried.
+// is called buried.  Of a surface without triangles nothing is near and every point is outside.
 #pragma once
 
 #include <Eigen/Geometry>

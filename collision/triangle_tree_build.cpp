@@ -36,7 +36,8 @@ struct Builder {
 
   void split(Range range, int unit, std::vector<Range>& parts) {
     const int units = (range.count + unit - 1) / unit;
-    if (units <= 1) {
+    if (units == 0) return;  // of a surface without triangles
+    if (units == 1) {
       parts.push_back(range);
       return;
     }

@@ -20,10 +20,13 @@ constexpr int kMostVertices = 200000;
 
 using Clock = std::chrono::steady_clock;
 
-/// Seconds since the last call or the start.
+/// Seconds since the last call or the start; a pause at each.
 class Lap {
  public:
+  explicit Lap(const Pause& pause) : pause_(pause) {}
+
   double operator()() {
+    pauseIn(pause_);
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - last_).count();
     last_ = now;
@@ -31,6 +34,7 @@ class Lap {
   }
 
  private:
+  const Pause& pause_;
   Clock::time_point last_ = Clock::now();
 };
 
@@ -40,7 +44,7 @@ double areaOf(const TriangleMesh& mesh) {
   return area;
 }
 
-LoopedMesh remeshedGarment(const LoopedMesh& garment, const GarmentTools& tools) {
+LoopedMesh remeshedGarment(const LoopedMesh& garment, const GarmentTools& tools, const Pause& pause) {
   int vertices = tools.resolution;
   if (tools.edge_length > 0.0) {  // of an equilateral mesh
     const double wanted = areaOf(garment.mesh) / (0.5 * std::sqrt(3.0) * tools.edge_length * tools.edge_length);
@@ -49,7 +53,7 @@ LoopedMesh remeshedGarment(const LoopedMesh& garment, const GarmentTools& tools)
                                    wanted, kMostVertices));
     vertices = static_cast<int>(std::lround(wanted));
   }
-  return withLoopNames(remeshedTo(garment.mesh, vertices, "garment"), garment);
+  return withLoopNames(remeshedTo(garment.mesh, vertices, "garment", pause), garment);
 }
 
 /// Remeshes first, so that the rows of the extensions begin from evenly spaced vertices.
@@ -72,9 +76,10 @@ std::vector<int> trianglesUnder(const TriangleTree& body, const Positions& posit
 
 }  // namespace
 
-AuthoredGarment authorGarment(const TriangleMesh& body, const GarmentTools& tools, const Comfort& comfort) {
+AuthoredGarment authorGarment(const TriangleMesh& body, const GarmentTools& tools, const Comfort& comfort,
+                              const Pause& pause) {
   AuthoredGarment result;
-  Lap lap;
+  Lap lap(pause);
   const Topology topology = buildTopology(body, "body");
   result.loops = findLoops(body, topology, tools.boundaries, tools.smoothing);
   result.times.loops_s = lap();
@@ -85,7 +90,7 @@ AuthoredGarment authorGarment(const TriangleMesh& body, const GarmentTools& tool
   if (!tools.extensions.empty()) addExtensions(tools, region);
   result.times.extension_s = lap();
 
-  result.garment = remeshedGarment(region, tools);
+  result.garment = remeshedGarment(region, tools, pause);
   result.times.remeshing_s = lap();
 
   result.seams = findSeams(tools.seams, result.garment);

@@ -7,6 +7,7 @@
 #include "garment/looped_mesh.h"
 #include "garment/mesh_quality.h"
 #include "garment/seam.h"
+#include "solver/mesh/error.h"
 
 namespace ease {
 
@@ -42,7 +43,8 @@ struct AuthoredGarment {
 };
 
 /// Makes the garment on a body.  Throws InputError where a tool cannot do what was asked, ComputationError where it
-/// fails.
-AuthoredGarment authorGarment(const TriangleMesh& body, const GarmentTools& tools, const Comfort& comfort);
+/// fails.  `pause`: between the tools and the trials of remeshing.
+AuthoredGarment authorGarment(const TriangleMesh& body, const GarmentTools& tools, const Comfort& comfort,
+                              const Pause& pause = nullptr);
 
 }  // namespace ease

@@ -102,7 +102,7 @@ TriangleMesh remeshed(const TriangleMesh& mesh, double edge_length) {
   return fromSurfaceMesh(surface);
 }
 
-TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::string& name) {
+TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::string& name, const Pause& pause) {
   constexpr int kTrials = 8;  // with each source
   constexpr double kTolerance = 0.025;
   // An equilateral mesh has area / (sqrt(3)/2 edge^2) vertices; the remesher makes about this many times as many.
@@ -116,6 +116,7 @@ TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::strin
     const TriangleMesh source = from_finer ? remeshed(mesh, 0.45 * expected) : mesh;
     double edge = expected, too_short = 0.0, too_long = std::numeric_limits<double>::infinity();
     for (int trial = 0; trial < kTrials; ++trial) {
+      pauseIn(pause);
       TriangleMesh result = remeshed(source, edge);
       const double ratio = static_cast<double>(result.positions.rows()) / vertices;
       if (std::abs(ratio - 1.0) <= kTolerance) return result;

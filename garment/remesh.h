@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "solver/mesh/error.h"
 #include "solver/mesh/triangle_mesh.h"
 
 namespace ease {
@@ -13,7 +14,7 @@ namespace ease {
 TriangleMesh remeshed(const TriangleMesh& mesh, double edge_length);
 
 /// The same with about `vertices` vertices, within 2.5 %.  Throws ComputationError, naming `name`, where no edge length
-/// leads to that.
-TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::string& name);
+/// leads to that.  `pause`: before every trial.
+TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::string& name, const Pause& pause = nullptr);
 
 }  // namespace ease

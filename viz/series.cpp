@@ -59,7 +59,29 @@ bool isFrame(const std::string& file, const std::string& name) {
   return extension == ".vtp" || extension == temporaryName(".vtp");
 }
 
+// All frames but those that `listed` names.
+void removeFrames(const fs::path& directory, const std::string& name, const std::string& listed) {
+  std::error_code error;
+  std::vector<fs::path> frames_found;
+  for (fs::directory_iterator entry(directory / name, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string file = entry->path().filename().string();
+    const bool kept = listed.find("/" + file + "\"") != std::string::npos;
+    if (isFrame(file, name) && !kept) frames_found.push_back(entry->path());
+  }
+  if (error) fail("read directory", directory / name, error);
+  for (const fs::path& file : frames_found) removeFile(file);
+}
+
 }  // namespace
+
+void removeSeries(const fs::path& directory, const std::string& name) {
+  removeFile(directory / (name + ".pvd"));
+  removeFile(temporaryName(directory / (name + ".pvd")));
+  if (!fs::is_directory(directory / name)) return;
+  removeFrames(directory, name, "");
+  std::error_code not_empty;
+  fs::remove(directory / name, not_empty);
+}
 
 struct Series::Data {
   fs::path directory;
@@ -110,22 +132,21 @@ void Series::Data::writeList() const {
 void Series::Data::removeEarlier() const {
   if (frames == 0) removeFile(list());
   removeFile(temporaryName(list()));
-  std::error_code error;
-  std::vector<fs::path> frames_found;
-  for (fs::directory_iterator entry(directory / name, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string file = entry->path().filename().string();
-    const bool kept = listed.find("/" + file + "\"") != std::string::npos;
-    if (isFrame(file, name) && !kept) frames_found.push_back(entry->path());
-  }
-  if (error) fail("read directory", directory / name, error);
-  for (const fs::path& file : frames_found) removeFile(file);
+  removeFrames(directory, name, listed);
 }
 
 void Series::Data::writeFrame(const TimedFrame& next) {
   const std::string file = fmt::format("{0}/{0}_{1:06}.vtp", name, frames);
   writeVtp(directory / file, triangles, next.frame);
+  const std::size_t before = listed.size();
   listed += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", next.time, file);
-  writeList();
+  try {
+    writeList();
+  } catch (const ComputationError&) {
+    listed.resize(before);
+    removeFile(directory / file);  // nothing would name it
+    throw;
+  }
   ++frames;
 }
 

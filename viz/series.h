@@ -13,6 +13,9 @@
 
 namespace ease {
 
+/// Removes the list and the frames of a series in `directory`, also those not whole.  Throws ComputationError.
+void removeSeries(const std::filesystem::path& directory, const std::string& name);
+
 class Series {
  public:
   /// Frames go to DIR/NAME/NAME_000000.vtp, ..., their list to DIR/NAME.pvd; NAME is letters, digits, '-' and '_'.

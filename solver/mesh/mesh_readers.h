@@ -33,6 +33,9 @@ RawMesh readObj(std::string_view bytes, const std::string& name);
 RawMesh readStl(std::string_view bytes, const std::string& name);
 RawMesh readVtp(std::string_view bytes, const std::string& name);
 
+/// Refuses a .vtp file whose counts VTK's reader would crash over, or take memory for that the file cannot fill.
+void checkVtpCounts(std::string_view bytes, const std::string& name);
+
 /// Cuts the first line off `text`, without its line end ("\n" or "\r\n").
 inline std::string_view takeLine(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());

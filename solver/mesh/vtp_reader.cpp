@@ -86,14 +86,15 @@ void addPolygons(vtkCellArray& polygons, const std::string& name, RawMesh& mesh)
 }  // namespace
 
 RawMesh readVtp(std::string_view bytes, const std::string& name) {
+  checkVtpCounts(bytes, name);
   const Silence silence;
   const vtkNew<vtkXMLPolyDataReader> reader;
   try {
     reader->ReadFromInputStringOn();
     reader->SetInputString(std::string(bytes));
     reader->Update();
-  } catch (const std::exception& error) {
-    throw InputError(fmt::format("{}: VTK cannot read it: {}", name, error.what()));
+  } catch (const std::exception&) {  // of memory, in words that say nothing of the file
+    throw InputError(fmt::format("{}: damaged: VTK finds counts in it that cannot be", name));
   }
   if (silence.keeper->hasError()) {
     throw InputError(fmt::format("{}: not a VTP file, or damaged: {}", name, silence.keeper->firstSentence()));

@@ -30,6 +30,13 @@ TEST_CASE("an output that takes nothing is an error") {
   }
 }
 
+TEST_CASE("an error that cannot be printed is an exit code still") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 4);
+  CHECK(runEase(directory, "run none.toml 2>/dev/full").code == 1);
+  CHECK(runEase(directory, "check hang.toml >/dev/full 2>/dev/full").code == 2);
+}
+
 TEST_CASE("the version is printed") {
   const Outcome outcome = runEase("--version");
   CHECK(outcome.code == 0);

@@ -93,4 +93,5 @@ TEST_CASE("a file that is missing or is not TOML is refused in one line") {
   CHECK_THAT(errorOf("# nothing yet\n"), Contains("garment is missing: expected a table [garment]"));
   CHECK_THAT(errorOf("name = 'a'\nname = 'b'\n"), StartsWith("scene.toml:2: not TOML: "));
   CHECK_THAT(errorOf("\n\n[body\n"), StartsWith("scene.toml:3: not TOML: "));
+  CHECK_THAT(errorOf("[adaption]\nverify = fals\n"), StartsWith("scene.toml:2: not TOML: "));
 }

@@ -153,3 +153,14 @@ TEST_CASE("a sphere within a sphere is no part of the boundary") {
   for (const Vec3& x : pointsIn(Vec3::Constant(-0.4), Vec3::Constant(0.4), 1000))
     CHECK(filled.signedDistance(x, kInfinity) == alone.signedDistance(x, kInfinity));
 }
+
+TEST_CASE("of a surface without triangles nothing is near, and every point is outside") {
+  for (const long vertices : {0L, 3L}) {
+    TriangleTree tree(Positions::Zero(vertices, 3), Triangles(0, 3));
+    tree.refit(Positions::Ones(vertices, 3));
+    CHECK(tree.closest({1.0, 1.0, 1.0}, 10.0).triangle == -1);
+    CHECK(tree.closestOfUnion({1.0, 1.0, 1.0}, 10.0).distance == 10.0);
+    CHECK(tree.signedDistance({0.0, 0.0, 0.0}, 10.0) == 10.0);
+    CHECK(tree.windingNumber({0.0, 0.0, 0.0}) == 0);
+  }
+}

@@ -112,3 +112,18 @@ TEST_CASE("between parts that leave less room than two offsets the garment keeps
   for (Eigen::Index v = 0; v < made.garment.mesh.positions.rows(); ++v)
     CHECK(made.garment.mesh.positions(v, 0) > -1e-3);
 }
+
+TEST_CASE("making a garment ends at whichever pause is not returned from") {
+  const TriangleMesh body = capsuleBody();
+  int pauses = 0;
+  authorGarment(body, tubeTools(), {0.005, {}}, [&] { ++pauses; });
+  CHECK(pauses >= 7);  // after six parts, and before a trial of remeshing
+  for (int last = 1; last <= pauses; ++last) {
+    int now = 0;
+    const auto stop = [&] {
+      if (++now == last) throw Interrupted();
+    };
+    CHECK_THROWS_AS(authorGarment(body, tubeTools(), {0.005, {}}, stop), Interrupted);
+    CHECK(now == last);
+  }
+}

@@ -1,0 +1,162 @@
+#include "apps/commands.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <new>
+#include <optional>
+
+#include "apps/garment_files.h"
+#include "apps/job.h"
+#include "apps/result_directory.h"
+#include "apps/resume.h"
+#include "apps/scene.h"
+#include "apps/timeline.h"
+#include "apps/words.h"
+#include "solver/mesh/error.h"
+#include "solver/mesh/topology.h"
+
+namespace ease {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Reads and makes what a scene names; throws Interrupted where the user does not want to wait for it.
+SceneInput readWithWarnings(const Scene& scene, const std::atomic<bool>& interrupted,
+                            const StartGarment* before = nullptr) {
+  const auto pause = [&] {
+    if (interrupted) throw Interrupted();
+  };
+  const SceneInput input = readSceneInput(
+      scene, [](const std::string& warning) { say("warning", warning); }, before, pause);
+  pause();
+  return input;
+}
+
+/// What `ease check` prints: enough to see whether the scene is the one that was meant.
+void printSummary(const Scene& scene, const SceneInput& input) {
+  const Topology topology = buildTopology(input.garment, scene.name);
+  size_t pinned = 0;
+  for (const std::vector<int>& vertices : input.pins) pinned += vertices.size();
+  fmt::print("{}\n", scene.name);
+  const size_t loops = topology.boundary_loops.size();
+  fmt::print("  garment   {} vertices, {} triangles, {} boundary loop{}, {} pinned vertices\n",
+             input.garment.positions.rows(), input.garment.triangles.rows(), loops, loops == 1 ? "" : "s", pinned);
+  if (scene.body) {
+    fmt::print("  body      {} vertices, {} triangles, poses: {}\n", input.poses.front().rows(),
+               input.body_triangles.rows(), fmt::join(input.pose_names, ", "));
+  } else {
+    fmt::print("  body      none\n");
+  }
+  const int steps = timeStepsOfMotion(scene);
+  fmt::print("  motion    {} time steps of {:g} s: {:g} s, by {}\n", steps, scene.solver.time_step,
+             steps * scene.solver.time_step, scene.solver.method);
+  if (const int parts = divisionFor(scene, input).time_steps; parts > 1)
+    fmt::print("            each in {} parts, since the body moves {:.2g} mm in it\n", parts,
+               1e3 * bodyMotionOfStep(scene, input));
+  if (const auto& adaption = scene.adaption) {
+    fmt::print("  adaption  principal stretch at most {:g}, every {} time steps, {} through the motion{}{}\n",
+               1.0 + adaption->limit, adaption->every,
+               adaption->cycles == 1 ? "once" : fmt::format("{} times", adaption->cycles),
+               adaption->settle > 0 ? fmt::format(", then {} time steps more", adaption->settle) : "",
+               adaption->verify ? ", verified" : "");
+  }
+  fmt::print("ok\n");
+}
+
+ExitCode interruptedIn(const fs::path& directory) {
+  say("interrupted", fmt::format("what was written until then is in {}", directory.string()));
+  return kInterrupted;
+}
+
+fs::path directoryOf(const Arguments& arguments, const Scene& scene) {
+  if (!arguments.directory.empty()) return arguments.directory;
+  return arguments.resumed.empty() ? fs::path("results") / scene.name : fs::path(arguments.resumed);
+}
+
+}  // namespace
+
+void say(const char* kind, const std::string& line) {
+  std::fputs(fmt::format("ease: {}: {}\n", kind, oneLine(line)).c_str(),
+             stderr);  // fmt::print would throw where it is full
+}
+
+ExitCode guarded(const std::function<ExitCode()>& command) {
+  try {
+    return command();
+  } catch (const Interrupted&) {
+    say("interrupted", "nothing was written");
+    return kInterrupted;
+  } catch (const InputError& error) {
+    say("error", error.what());
+    return kWrongInput;
+  } catch (const std::bad_alloc&) {
+    say("error", "out of memory");
+  } catch (const std::exception& error) {
+    say("error", error.what());
+  }
+  return kFailed;
+}
+
+ExitCode checkCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
+  const Scene scene = readScene(arguments.scene);
+  const SceneInput input = readWithWarnings(scene, interrupted);
+  printSummary(scene, input);
+  return kDone;
+}
+
+ExitCode garmentCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
+  const Scene scene = readScene(arguments.scene);
+  if (!scene.garment.tools)
+    throw InputError(fmt::format("{}: [garment] has no [[garment.boundary]]: expected the tools that make a garment",
+                                 arguments.scene));
+  const SceneInput input = readWithWarnings(scene, interrupted);
+  const fs::path directory = directoryOf(arguments, scene);
+  const ResultDirectory made(directory);
+  made.removeOldGarment(scene);
+  fmt::print("{}", writeGarment(scene, input, directory, interrupted));
+  if (arguments.pieces && !interrupted)
+    fmt::print("{}", writePieces(input.garment, input.authored->seams, directory, "pieces"));
+  if (interrupted) return interruptedIn(directory);
+  fmt::print("results   {}\n", directory.string());
+  return kDone;
+}
+
+ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
+  Scene scene = readScene(arguments.scene);
+  if (arguments.threads >= 0) scene.solver.threads = arguments.threads;
+  const fs::path directory = directoryOf(arguments, scene);
+
+  // An arena of our own: the implicit one takes its size at first use, whatever is asked for later.
+  const int threads = scene.solver.threads;
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  return arena.execute([&] {
+    std::optional<Checkpoint> from;
+    if (!arguments.resumed.empty()) from = checkpointIn(arguments.resumed);
+    const SceneInput input = readWithWarnings(scene, interrupted, from ? &from->start : nullptr);
+    divisionFor(scene, input);  // refuses what cannot be simulated
+    if (from) checkGoesOn(*from, arguments.resumed, scene, input);
+    const bool replays = scene.adaption && scene.adaption->verify;
+    if (from && timeline(scene, true, from->done).empty() && isFinished(arguments.resumed, replays)) {
+      fmt::print("nothing left to do: the run in {} is at the end; it goes on with more poses, cycles or steps\n",
+                 arguments.resumed);
+      return kDone;
+    }
+    const ResultDirectory made(directory);
+    made.removeOldGarment(scene);
+    if (input.authored) writeGarment(scene, input, directory, interrupted);
+    try {
+      std::error_code apart;
+      const bool here = from && fs::equivalent(directory, arguments.resumed, apart);
+      if (runScene(scene, input, directory, interrupted, from, here)) return kDone;
+    } catch (const ComputationError& error) {
+      throw ComputationError(fmt::format("{}; what was written until then is in {}", error.what(), directory.string()));
+    }
+    return interruptedIn(directory);
+  });
+}
+
+}  // namespace ease

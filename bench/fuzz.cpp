@@ -1,0 +1,60 @@
+// Damaged inputs: scenes, meshes of every format, each read by a command in a process of its own (tests/fuzz).  A case
+// is a kind of input; counters:
+//
+//   tried                       damaged inputs, but for those that ask for a long job
+//   done, refused, failed       exit codes 0, 1 and 2
+//   crashes, hangs, unclear     ended by a signal; not after minutes; without one clear line, or files left half
+//   written
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "bench/program.h"
+#include "tests/fuzz/command_fuzz.h"
+
+using namespace ease;
+
+namespace {
+
+void tryDamages(benchmark::State& state, const FuzzKind& kind, unsigned inputs) {
+  for (auto _ : state) {
+    const CommandFuzz fuzz(kind);
+    if (const FuzzOutcome whole = fuzz.attempt(0); whole.end != End::done)
+      return state.SkipWithError(("undamaged: " + whole.text).c_str());
+    std::map<End, int> ends;
+    for (unsigned seed = 1; seed <= inputs; ++seed) {
+      const FuzzOutcome outcome = fuzz.attempt(seed);
+      ++ends[outcome.end];
+      if (outcome.isFault()) fmt::print(stderr, "{}, seed {}: {}\n", kind.name, seed, outcome.text);
+    }
+    state.counters["tried"] = static_cast<int>(inputs) - ends[End::not_tried];
+    state.counters["done"] = ends[End::done];
+    state.counters["refused"] = ends[End::wrong_input];
+    state.counters["failed"] = ends[End::failed];
+    state.counters["crashes"] = ends[End::crash];
+    state.counters["hangs"] = ends[End::hang];
+    state.counters["unclear"] = ends[End::unclear];
+  }
+}
+
+void registerAll(bool quick) {
+  for (const FuzzKind& kind : fuzzKinds()) {
+    const bool is_scene = kind.damaged == "scene.toml";
+    const unsigned inputs = quick ? 20 : is_scene ? 600 : 200;
+    std::string input = kind.name;
+    std::replace(input.begin(), input.end(), ' ', '_');
+    benchmark::RegisterBenchmark(("fuzz/input:" + input).c_str(),
+                                 [kind, inputs](benchmark::State& state) { tryDamages(state, kind, inputs); })
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return runBenchmarks(argc, argv, "fuzz", registerAll);
+}
