@@ -11,8 +11,10 @@ namespace {
 
 constexpr double kLinearTolerance = 1e-2;  // of a Newton correction: well below the error of stopping after one
 constexpr double kMostGain = 0.5;          // of a correction over the one before, that is believed to go on
-constexpr double kUnseen = 1.5;            // a correction over what a near factor makes of it: nine in ten are less
-constexpr int kProjectedSteps = 2;         // iterations before the exact Hessian is tried (again)
+// A correction is up to 1 + this times the iterations of the last solve as long as what the factor makes of the
+// residual, nineteen times in twenty.
+constexpr double kUnseen = 0.5;
+constexpr int kProjectedSteps = 2;  // iterations before the exact Hessian is tried (again)
 
 }  // namespace
 
@@ -64,7 +66,8 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     previous = length;
     if (stop.error > 0.0 && next > stop.error && (stop.all || system_.factorIsNear())) {
       const Positions& d = system_.precondition(-point.gradient);
-      next = std::min(next, kUnseen * relativeLength(potential, point, d));
+      const double unseen = 1.0 + kUnseen * system_.lastIterations();
+      next = std::min(next, unseen * relativeLength(potential, point, d));
     }
     if (stop.error > 0.0 && next <= stop.error) {
       summary.converged = true;

@@ -35,6 +35,8 @@ class NewtonSystem {
 
   /// Whether the last solve took few iterations, so that precondition() comes close to H^-1.
   bool factorIsNear() const;
+  /// Of the last solve.
+  int lastIterations() const { return last_iterations_; }
   /// What the factor makes of `right` by itself, m.  A solve() for the same `right` that follows begins with it.
   const Positions& precondition(const Positions& right);
 
