@@ -12,6 +12,7 @@ one, 1.25 to either side.  Worse beyond the noise is a case
     solvers differ, whose energy gap is over ten times what it was, and over 1e-4;
     whose grade of stability has fallen (times of that map are not compared: its steps take microseconds), or whose
     rest state agrees no more;
+    of damaged inputs, of which more crash, hang or end unclearly (their times are not compared);
     that fails, and did not.
 
 Settings that either did not try, since looser ones took too long, are not compared.
@@ -32,6 +33,7 @@ SINGLE_RUN = 1.25  # noise of a case that ran once
 ERROR = (2.0, 1e-6)
 ENERGY_GAP = (10.0, 1e-4)
 GRADES = ("failed", "degraded", "converged")
+DISORDERS = ("crashes", "hangs", "unclear")  # of damaged inputs, whose times are not compared
 
 
 def fail(message):
@@ -45,7 +47,7 @@ def read(path):
     cases = {}
     for file in files:
         try:
-            cases.update({name: case for name, case in read_results(file)[1].items() if case.kind != "fuzz"})
+            cases.update(read_results(file)[1])
         except (OSError, json.JSONDecodeError, KeyError, TypeError) as error:
             fail(f"{file}: not a result of Google Benchmark: {error}")
     if not cases:
@@ -71,7 +73,7 @@ def less_accurate(before, after):
     key, (factor, least) = ("energy_gap", ENERGY_GAP) if before.fields.get("sheet") == "hanging" else ("error", ERROR)
     if not before.values(key) or not after.values(key):
         return ""
-    was, now = abs(before.median(key)), abs(after.median(key))
+    was, now = max(before.median(key), 0.0), max(after.median(key), 0.0)  # a gap below 0 is a better minimum
     return f"less accurate ({was:.2g} to {now:.2g})" if now > max(factor * was, least) else ""
 
 
@@ -84,6 +86,9 @@ def compare(before: Case, after: Case):
     if before.values("grade") and after.values("grade"):
         was, now = int(before.median("grade")), int(after.median("grade"))
         return None, f"{GRADES[was]} before, {GRADES[now]} now" if now < was else ""
+    if before.kind == "fuzz":
+        more = [what for what in DISORDERS if after.median(what) > before.median(what)]
+        return None, f"more {', '.join(more)}" if more else ""
     ratio = ratio_of_times(before, after)
     worse = ["slower"] if ratio and ratio[1] > SLOWER else []
     worse += filter(None, [less_accurate(before, after)])

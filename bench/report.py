@@ -5,19 +5,23 @@
 
 Reads DIRECTORY/*.json (Google Benchmark's) and DIRECTORY/run.tsv (a program's name, command and seconds a line, if
 script/bench wrote it), writes a .csv beside each .json, charts as .svg and .png, and report.html with all of it inside.
+Exit code 1 where a claim of the project does not hold (claims.py), with a line for each.
 """
 
 import argparse
 import html
+import os
 import platform
 import re
 import subprocess
+import sys
 from pathlib import Path
 
 import charts
 import step_tables
 import tables
 import work_precision
+from claims import broken
 from html_table import table
 from results import read_results, write_csv
 
@@ -59,6 +63,8 @@ def machine(contexts):
     return [
         ("processor", f"{model}, {first.get('num_cpus', '?')} logical cores, {first.get('mhz_per_cpu', '?')} MHz"),
         ("caches", caches or "unknown"),
+        ("memory", f"{os.sysconf('SC_PAGE_SIZE') * os.sysconf('SC_PHYS_PAGES') / 1e9:.0f} GB"),
+        ("threads", "all cores, but for what says otherwise"),
         ("system", f"{platform.system()} {platform.release()}"),
         ("Ease", ", ".join(sorted({commit_of(context) for context in contexts.values()}))),
         ("compiler", said_by(contexts, "compiler")),
@@ -126,6 +132,8 @@ def main():
                   programs(contexts, chosen.directory))
     body += ("<p>Figures are medians of the runs, spreads their quartiles, unless it says otherwise. Every figure is "
              "in the .csv files beside this report, every repetition in the .json files.</p>\n")
+    wrong = broken(everything)
+    body += "<p>Claims that this run refutes: " + ("none." if not wrong else "</p>\n" + table(["case"], [[w] for w in wrong]))
     for heading, program, draw_charts, make_tables in SECTIONS:
         cases = everything.get(program)
         if not cases:
@@ -136,6 +144,9 @@ def main():
             body += "".join(figure(stem, caption) for stem, caption in draw(chosen.directory, cases))
     (chosen.directory / "report.html").write_text(PAGE.format(body=body), encoding="utf-8")
     print(f"bench: report in {chosen.directory / 'report.html'}")
+    for line in wrong:
+        print(f"bench: does not hold: {line}", file=sys.stderr)
+    sys.exit(1 if wrong else 0)
 
 
 SECTIONS = [

@@ -37,8 +37,8 @@ def fps(cases):
             "adaption, ms", "output, ms", "set-up, s", "first step, s", "peak memory, MB", "failure"]
     return ("<p>Time steps a second, and milliseconds of one: medians of the runs, each in a process of its own.</p>\n"
             + table(head, rows)
-            + "<p>Time of a step grows as vertices to the power of:</p>\n"
-            + table(["run", "simulation", "full"], growth))
+            + ("<p>Time of a step grows as vertices to the power of:</p>\n"
+               + table(["run", "simulation", "full"], growth) if growth else ""))
 
 
 def phases(cases):
@@ -104,11 +104,16 @@ def stability(cases):
     rows = []
     for sheet in dict.fromkeys(c.fields["sheet"] for c in cases.values()):
         for method in dict.fromkeys(c.fields["method"] for c in cases.values()):
-            grades = [int(c.median("grade")) for c in cases.values()
-                      if c.fields["sheet"] == sheet and c.fields["method"] == method and c.runs]
-            rows.append([f"{sheet} {method}", *(str(grades.count(g)) for g in (2, 1, 0))])
-    return ("<p>Places of the map by their grade. No contact: the sheets are held by pins, or thrown.</p>\n"
-            + table(["map", "converged", "degraded", "failed"], rows))
+            chosen = [c for c in cases.values() if c.fields["sheet"] == sheet and c.fields["method"] == method]
+            grades = [int(c.median("grade")) if c.runs else None for c in chosen]
+            largest = [max((c.median(key) for c in chosen if c.values(key)), default=math.nan)
+                       for key in ("error", "worst")]
+            rows.append([f"{sheet} {method}", *(grades.count(g) for g in (2, 1, 0, None)),
+                         *(f"{value:.2g}" for value in largest)])
+    return ("<p>Places of the map by their grade, which is that of the mean error of a place's steps. No contact: the "
+            "sheets are held by pins, or thrown.</p>\n"
+            + table(["map", "converged", "degraded", "failed", "no reference", "largest mean error",
+                     "largest of a single step"], rows))
 
 
 def fuzz(cases):

@@ -62,8 +62,9 @@ class Compare(unittest.TestCase):
 
     def test_of_the_hanging_sheet_the_energy_counts_and_positions_do_not(self):
         name = "step/sheet:hanging/n:1024/method:auto/tolerance:0.05"
-        before = {name: (TIMES, {"error": 0.01, "energy_gap": -0.001})}
+        before = {name: (TIMES, {"error": 0.01, "energy_gap": 0.001})}
         self.assertEqual(self.compare(before, {name: (TIMES, {"error": 0.5, "energy_gap": 0.002})}).returncode, 0)
+        self.assertEqual(self.compare(before, {name: (TIMES, {"error": 0.5, "energy_gap": -0.1})}).returncode, 0)
         run = self.compare(before, {name: (TIMES, {"error": 0.01, "energy_gap": 0.02})})
         self.assertEqual(run.returncode, 1)
         self.assertIn("less accurate (0.001 to 0.02)", run.stdout)
@@ -87,6 +88,15 @@ class Compare(unittest.TestCase):
         run = self.compare({name: ([1e-3], {"grade": 2})}, {name: ([1e-3], {"grade": 1})})
         self.assertEqual(run.returncode, 1)
         self.assertIn("converged before, degraded now", run.stdout)
+
+    def test_of_damaged_inputs_more_crashes_are_one_and_longer_times_are_none(self):
+        def tried(ms, crashes):
+            return {"fuzz/input:run_OBJ": ([ms], {"crashes": crashes, "hangs": 0, "unclear": 1})}
+
+        self.assertEqual(self.compare(tried(1.0, 1), tried(9.0, 1)).returncode, 0)
+        run = self.compare(tried(1.0, 1), tried(1.0, 2))
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("more crashes", run.stdout)
 
     def test_a_rest_state_that_agrees_no_more_is_one(self):
         name = "rest/sheet:drape-2pin/n:1024/method:auto/tolerance:0.05"

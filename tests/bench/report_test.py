@@ -46,6 +46,18 @@ class Report(unittest.TestCase):
     def test_it_ends_well(self):
         self.assertEqual(self.run_.returncode, 0, self.run_.stderr)
 
+    def test_a_claim_that_does_not_hold_is_told_and_ends_it_with_1(self):
+        place = "stability/sheet:taut/n:256/k:100/h:0.2/method:auto"
+        for grade, code in ((2, 0), (1, 1)):
+            with tempfile.TemporaryDirectory() as directory:
+                cases = {place: ([1.0], {"grade": grade, "error": 0.2, "worst": 0.3})}
+                (Path(directory) / "stability.json").write_text(json.dumps(results_of(cases)), encoding="utf-8")
+                run = subprocess.run([sys.executable, str(REPORT), directory], capture_output=True, text=True,
+                                     check=False)
+                self.assertEqual(run.returncode, code, run.stderr)
+                self.assertEqual(place in run.stderr, code == 1)
+                self.assertIn(place if code else "refutes: none", (Path(directory) / "report.html").read_text())
+
     def test_the_csv_has_medians_and_settings(self):
         with open(self.directory / "speed_accuracy.csv", newline="", encoding="utf-8") as stream:
             rows = {row["name"]: row for row in csv.DictReader(stream)}

@@ -5,43 +5,14 @@
 #include <catch2/catch.hpp>
 
 #include "solver/mesh/error.h"
-#include "tests/sheet.h"
+#include "tests/step/soft_sheet.h"
 
 using namespace ease;
 
 namespace {
 
-const FindContacts kNoContacts = [](const Positions&, Contacts& contacts) { contacts.planes.clear(); };
-
-Material softCloth() {
-  Material material;
-  material.stretch_warp = material.stretch_weft = 200.0;
-  material.shear = 50.0;
-  material.bending = 1e-5;
-  return material;
-}
-
-State atRest(const TriangleMesh& mesh) {
-  return {mesh.positions, Positions::Zero(mesh.positions.rows(), 3)};
-}
-
-TimeStep makeStep(const Cloth& cloth, const MethodOptions& options) {
-  return TimeStep(cloth, options, systemOrdering(cloth.vertexCount(), cloth.triangles()));
-}
-
 MethodOptions tight(Method method) {
   return {method, 1e-9, 1e-9, 3000};
-}
-
-// Boundary held apart, so that there is a single minimum.
-Pins tautPins(const Cloth& cloth) {
-  Pins pins;
-  for (const std::vector<int>& loop : cloth.topology().boundary_loops)
-    for (int v : loop) {
-      pins.vertices.push_back(v);
-      pins.positions.push_back(1.05 * cloth.restPositions().row(v));
-    }
-  return pins;
 }
 
 // Floor at y = 0, for the vertices of a cloth.
@@ -199,94 +170,6 @@ TEST_CASE("all methods run to tolerance find the same minimum, after one step an
     }
     CHECK((state.positions - reference.positions).rowwise().norm().maxCoeff() < 1e-6);
   }
-}
-
-TEST_CASE("auto keeps to the tolerance that is asked of it") {
-  const TriangleMesh mesh = makeSheet(12, 12, 0.3, 0.3);
-  const double stiffness = GENERATE(30.0, 1e3, 3e4), h = GENERATE(1.0 / 240.0, 1.0 / 30.0);
-  const double tolerance = GENERATE(0.05, 1e-3);
-  Material material = softCloth();
-  material.stretch_warp = material.stretch_weft = stiffness;
-  const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), material);
-  TimeStep step = makeStep(cloth, {Method::automatic, tolerance});
-  TimeStep newton = makeStep(cloth, {Method::newton, 0.0, 1e-7});
-  const Pins pins = tautPins(cloth);
-  State state = atRest(mesh);
-  state.positions *= 1.05;
-  state.velocities = 0.5 * randomPositions(cloth.vertexCount(), 4);
-  StepOptions options;
-  options.h = h;
-  const int steps = 12;
-  double error = 0.0;
-  for (int n = 0; n < steps; ++n) {
-    State exact = state;
-    newton.step(exact, options, pins, kNoContacts);
-    CHECK(step.step(state, options, pins, kNoContacts).converged);
-    Point minimum;
-    minimum.x = exact.positions;
-    error += relativeLength(newton.potential(), minimum, state.positions - exact.positions) / steps;
-    state = exact;
-  }
-  INFO("stiffness " << stiffness << " N/m, h " << h << " s, tolerance " << tolerance);
-  CHECK(error < tolerance);
-}
-
-TEST_CASE("pd does its iterations, and says whether they were enough") {
-  const int iterations = GENERATE(10, 1000);
-  const TriangleMesh mesh = makeSheet(12, 12, 0.3, 0.3);
-  Material material = softCloth();
-  material.stretch_warp = material.stretch_weft = GENERATE(2e3, 1e5);
-  const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), material);
-  const MethodOptions pd{Method::pd, 0.05, 1e-2, iterations};
-  TimeStep step = makeStep(cloth, pd), newton = makeStep(cloth, {Method::newton, 0.0, 1e-7});
-  const Pins pins = tautPins(cloth);
-  State state = atRest(mesh);
-  state.positions *= 1.05;
-  state.velocities = 0.5 * randomPositions(cloth.vertexCount(), 4);
-  StepOptions options;
-  options.h = 1.0 / 60.0;
-  for (int n = 0; n < 6; ++n) {
-    State exact = state;
-    newton.step(exact, options, pins, kNoContacts);
-    const StepSummary summary = step.step(state, options, pins, kNoContacts);
-    Point minimum;
-    minimum.x = exact.positions;
-    const double error = relativeLength(newton.potential(), minimum, state.positions - exact.positions);
-    INFO("error " << error);
-    if (n == 0) CHECK(summary.converged == (iterations == 1000));
-    CHECK((!summary.converged || error < pd.tolerance));
-    state = exact;
-  }
-}
-
-TEST_CASE("bw1 does its iteration, and says whether it was enough") {
-  const double h = GENERATE(1e-3, 1.0 / 30.0);
-  const TriangleMesh mesh = makeSheet(12, 12, 0.3, 0.3);
-  const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), softCloth());
-  const MethodOptions bw1{Method::bw1};
-  TimeStep step = makeStep(cloth, bw1), newton = makeStep(cloth, {Method::newton, 0.0, 1e-7});
-  const Pins pins = tautPins(cloth);
-  State state = atRest(mesh);
-  state.positions *= 1.05;
-  state.velocities = 0.5 * randomPositions(cloth.vertexCount(), 4);
-  StepOptions options;
-  options.h = h;
-  int enough = 0;
-  for (int n = 0; n < 6; ++n) {
-    State exact = state;
-    newton.step(exact, options, pins, kNoContacts);
-    const StepSummary summary = step.step(state, options, pins, kNoContacts);
-    CHECK(summary.newton_iterations == 1);
-    Point minimum;
-    minimum.x = exact.positions;
-    const double error = relativeLength(newton.potential(), minimum, state.positions - exact.positions);
-    INFO("h " << h << " s, error " << error);
-    CHECK((!summary.converged || error < bw1.tolerance));
-    if (n == 0) CHECK(summary.converged == (h < 0.01));
-    enough += summary.converged;
-    state = exact;
-  }
-  CHECK(enough >= 3);
 }
 
 TEST_CASE("auto hands over to Newton where the projective method is slow, and not where it is fast") {
