@@ -35,8 +35,8 @@ def draw_fps(directory, cases):
     stem = directory / "fps"
     draw(stem, "Time steps per second against vertices: the main job", "vertices of the garment",
          "time steps of 0.0025 s per second", rows, y_range="0.005:1000", x_range="600:150000", marked="failed",
-         note="median and quartiles; one run of 30,000 vertices and more\n"
-              "pd: ten iterations a step, which leave most of contact's error; the others: about .05 of a step or less",
+         note="median and quartiles, one run from 30,000 vertices on; pd: ten iterations a step, most of contact's "
+              "error left",
          small=True)
     return [(stem, "The main job: moving body, contact, adaption every 8th step. Setting up is not counted.")]
 
@@ -83,8 +83,8 @@ def draw_stability(directory, cases):
          tics="set xtics ('1/960' 1/960., '1/120' 1/120., '1/20' 1/20., '1/5' 1/5.) font ',8'",
          bare_tics="set xtics ('' 1/960., '' 1/120., '' 1/20., '' 1/5.)",
          note="converged: mean error of the steps at most 10 %; failed: stopped, exploded, or no better than no step; "
-              "no contact\nerror: |x - x_ref|_M / min(|x_ref - x_n|_M, 4 |x_ref - x_n - h v_n|_M), x_ref Newton's minimum;"
-              " hanging: or the root of the energy gap, where that is less")
+              "no contact\nerror: relative, as a scene's tolerance means it; hanging: or the root of the energy gap, "
+              "where that is less")
     return [(stem, "The first steps from the start of each sheet, every method with its defaults; the sheets touch "
                    "nothing.")]
 

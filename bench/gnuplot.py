@@ -112,7 +112,7 @@ def draw(stem, title, x_label, y_label, rows, x_range="", y_range="", marked="",
     `bare_tics`: where ticks have no label, if that needs another command than `tics`."""
     columns = max(len(row) for row in rows)
     lines_of_note = note.split("\n")
-    under = 78 + 14 * len(lines_of_note)
+    under = 84 + 14 * len(lines_of_note)
     width, height = max(900, 70 + panel_size[0] * columns), 54 + under + panel_size[1] * len(rows)
     panels = [panel for row in rows for panel in row if panel]
     if not any(points for panel in panels for points in panel.marks.values()):

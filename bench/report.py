@@ -133,7 +133,8 @@ def main():
     body += ("<p>Figures are medians of the runs, spreads their quartiles, unless it says otherwise. Every figure is "
              "in the .csv files beside this report, every repetition in the .json files.</p>\n")
     wrong = broken(everything)
-    body += "<p>Claims that this run refutes: " + ("none." if not wrong else "</p>\n" + table(["case"], [[w] for w in wrong]))
+    body += "<p>Claims that this run refutes: "
+    body += "</p>\n" + table(["case"], [[line] for line in wrong]) if wrong else "none.</p>\n"
     for heading, program, draw_charts, make_tables in SECTIONS:
         cases = everything.get(program)
         if not cases:

@@ -167,8 +167,8 @@ def draw_trajectory(directory, cases):
         steps = ", ".join(f"1/{round(1 / h)}" for h in reversed(distinct(of_size, "h")))
         stem = directory / f"trajectory_{n:g}"
         title = f"A trajectory of 0.3 s, taut sheet of {n:g} vertices: time against accuracy"
-        draw(stem, title, "relative error of positions, against Newton at 1/16 and 1/8 of the least h, extrapolated to h = 0",
-             "ms the trajectory", [row], y_range=time_range([row]), x_range=f"{lowest / 2:.3g}:1.6", marked=MARKED,
+        draw(stem, title, "relative error of positions, against Newton at 1/16 and 1/8 of the least h, extrapolated "
+             "to h = 0", "ms the trajectory", [row], y_range=time_range([row]), x_range=f"{lowest / 2:.3g}:1.6", marked=MARKED,
              note=f"h = {steps} s: of each method, the settings that no other of its own beats in error and time")
         drawn.append((stem, f"A whole trajectory of the taut sheet, {n:g} vertices, time step and setting both chosen. "
                             "Most of the error is that of backward Euler with this time step."))
