@@ -1,26 +1,17 @@
 #include "tests/fuzz/mesh_formats.h"
 
-#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <sstream>
 #include <stdexcept>
 
 #include "solver/mesh/mesh_io.h"
 #include "tests/apps/temporary_directory.h"
+#include "tests/mesh/raw_numbers.h"
 #include "viz/vtp.h"
 
 namespace ease {
 
 namespace {
-
-template <class Number>
-void append(std::string& bytes, Number value, bool swapped = false) {
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  if (swapped) std::reverse(std::begin(raw), std::end(raw));
-  bytes.append(raw, sizeof value);
-}
 
 std::string plyHeader(const TriangleMesh& mesh, const char* encoding) {
   std::ostringstream out;

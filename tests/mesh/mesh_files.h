@@ -4,15 +4,14 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "solver/mesh/error.h"
 #include "solver/mesh/mesh_io.h"
+#include "tests/mesh/raw_numbers.h"
 
 namespace ease {
 
@@ -56,15 +55,6 @@ inline const Positions kSquare = (Positions(4, 3) << 0, 0, 0, 1, 0, 0, 1, 1, 0.2
 inline void checkIsSquare(const TriangleMesh& mesh) {
   CHECK(mesh.positions == kSquare);
   CHECK(mesh.triangles == kTwoTriangles);
-}
-
-/// Appends a number as it is in memory, or from its last byte to its first.
-template <class Number>
-void append(std::string& bytes, Number value, bool swapped = false) {
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  if (swapped) std::reverse(std::begin(raw), std::end(raw));
-  bytes.append(raw, sizeof value);
 }
 
 /// 5000 bytes, the same every time.
