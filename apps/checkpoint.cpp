@@ -17,7 +17,7 @@ namespace ease {
 
 namespace {
 
-constexpr std::string_view kKind = "ease checkpoint ", kVersion = "4\n";
+constexpr std::string_view kKind = "ease checkpoint ", kVersion = "5\n";
 
 // A file is kind, version, the fingerprint of all that follows, and the members.
 constexpr size_t kHeader = kKind.size() + kVersion.size() + sizeof(std::uint64_t);

@@ -63,7 +63,7 @@ class Job {
       const std::optional<Checkpoint>& from, bool here, const std::atomic<bool>& interrupted)
       : scene_(scene),
         given_(input),
-        numbering_(from ? from->numbering : spatialNumbering(input.garment)),
+        numbering_(numberingOf(input, from)),
         input_(renumbered(input, numbering_)),
         directory_(directory),
         from_(from),
@@ -91,6 +91,12 @@ class Job {
   }
 
  private:
+  static InputNumbering numberingOf(const SceneInput& input, const std::optional<Checkpoint>& from) {
+    InputNumbering numbering = spatialNumbering(input);
+    if (from) numbering.garment = from->numbering;
+    return numbering;
+  }
+
   StepsDone done() const { return from_ ? from_->done : StepsDone(); }
 
   /// s of motion, until which the series in the directory are kept; -1: none are.
@@ -134,14 +140,14 @@ class Job {
     RunOptions run_options = options(true, scene_.adaption ? "adapting" : "simulating");
     const bool moves_on = !timeline(scene_, true, done()).empty();  // otherwise the replays alone are left
     if (scene_.output && moves_on) {
-      series.emplace(directory_, given_.garment.triangles, numbering_, input_.body_triangles, resumedAt());
+      series.emplace(directory_, given_, numbering_, resumedAt());
       run_options.series = &*series;
     }
     run_options.keep = [&](Checkpoint checkpoint) {
       checkpoint.start = from_ ? from_->start : StartGarment{given_.garment, scene_.collision.offset};
-      checkpoint.numbering = numbering_;
+      checkpoint.numbering = numbering_.garment;
       checkpoint.first_rest = first_rest_;
-      checkpoint.poses_met = posesMet(scene_, input_, checkpoint.done);
+      checkpoint.poses_met = posesMet(scene_, given_, checkpoint.done);
       if (series) series->finish();  // its frames are there before what goes on from them
       writeCheckpoint(directory_ / kCheckpoint, checkpoint);
     };
@@ -150,7 +156,7 @@ class Job {
       if (series) series->finish();
       measureGrowth(first_inverse_, sum(first_areas_), *cloth_, report_);
       report_.folded_edges = foldedEdges(*cloth_, first_rest_.positions);
-      const Frame rest = restored(restFrame(*cloth_, first_areas_), numbering_);
+      const Frame rest = restored(restFrame(*cloth_, first_areas_), numbering_.garment);
       writeObj(directory_ / "rest_shape.obj", {rest.positions, given_.garment.triangles});
       writeVtp(directory_ / "rest_shape.vtp", given_.garment.triangles, rest);
       if (given_.authored && !given_.authored->seams.empty())
@@ -242,7 +248,7 @@ class Job {
 
   const Scene& scene_;
   const SceneInput& given_;
-  const Numbering numbering_;
+  const InputNumbering numbering_;
   const SceneInput input_;  // the same in this numbering
   const std::filesystem::path directory_;
   const std::optional<Checkpoint>& from_;

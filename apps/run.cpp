@@ -224,7 +224,7 @@ class Run {
       step_.potential().contactPressure(state_.positions, pressure_);
       Frame body_frame;
       body_->positions(moment.body, body_frame.positions);
-      options_.series->writeBody(moment.time_s, std::move(body_frame));
+      options_.series->writeBody(moment.time_s, body_frame);
     }
     const GarmentFields fields{stretch_, *options_.first_areas, gap_, pressure_, pins_.vertices()};
     options_.series->write(moment.time_s, garmentFrame(cloth_, state_, fields),

@@ -117,7 +117,15 @@ struct StartGarment {
 SceneInput readSceneInput(const Scene& scene, const Warn& tell = nullptr, const StartGarment* before = nullptr,
                           const Pause& pause = nullptr);
 
-/// The same garment, its vertices and triangles in another order; without what authoring alone knows.
-SceneInput renumbered(const SceneInput& input, const Numbering& numbering);
+/// In which order a run has the vertices and triangles of its meshes.
+struct InputNumbering {
+  Numbering garment, body;
+};
+
+/// Along a curve through space; the body's as it is in its first pose.
+InputNumbering spatialNumbering(const SceneInput& input);
+
+/// The same meshes in another order; without what authoring alone knows.
+SceneInput renumbered(const SceneInput& input, const InputNumbering& numbering);
 
 }  // namespace ease

@@ -248,15 +248,24 @@ SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarme
   return input;
 }
 
-SceneInput renumbered(const SceneInput& input, const Numbering& numbering) {
-  const std::vector<int> number = newNumbers(numbering.vertices);
+InputNumbering spatialNumbering(const SceneInput& input) {
+  InputNumbering numbering;
+  numbering.garment = spatialNumbering(input.garment);
+  if (!input.poses.empty()) numbering.body = spatialNumbering(TriangleMesh{input.poses.front(), input.body_triangles});
+  return numbering;
+}
+
+SceneInput renumbered(const SceneInput& input, const InputNumbering& numbering) {
+  const std::vector<int> number = newNumbers(numbering.garment.vertices);
   SceneInput ordered = input;
-  ordered.garment = renumbered(input.garment, numbering);
+  ordered.garment = renumbered(input.garment, numbering.garment);
   for (std::vector<int>& pin : ordered.pins)
     for (int& v : pin) v = number[v];
   ordered.authored.reset();
-  ordered.offsets = renumbered(input.offsets, numbering.vertices);
-  ordered.paint = renumbered(input.paint, numbering.triangles);
+  ordered.offsets = renumbered(input.offsets, numbering.garment.vertices);
+  ordered.paint = renumbered(input.paint, numbering.garment.triangles);
+  ordered.body_triangles = renumbered(input.body_triangles, numbering.body);
+  for (Positions& pose : ordered.poses) pose = renumbered(pose, numbering.body.vertices);
   return ordered;
 }
 

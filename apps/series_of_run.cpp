@@ -4,21 +4,21 @@
 
 namespace ease {
 
-SeriesOfRun::SeriesOfRun(const std::filesystem::path& directory, const Triangles& garment_triangles,
-                         const Numbering& numbering, const Triangles& body_triangles, double keep_until)
-    : garment_(directory, "garment", garment_triangles, keep_until),
-      rest_(directory, "rest", garment_triangles, keep_until),
+SeriesOfRun::SeriesOfRun(const std::filesystem::path& directory, const SceneInput& given,
+                         const InputNumbering& numbering, double keep_until)
+    : garment_(directory, "garment", given.garment.triangles, keep_until),
+      rest_(directory, "rest", given.garment.triangles, keep_until),
       numbering_(numbering) {
-  if (body_triangles.rows() > 0) body_.emplace(directory, "body", body_triangles, keep_until);
+  if (given.body_triangles.rows() > 0) body_.emplace(directory, "body", given.body_triangles, keep_until);
 }
 
 void SeriesOfRun::write(double time_s, const Frame& garment, const Frame& rest) {
-  garment_.write(time_s, restored(garment, numbering_));
-  rest_.write(time_s, restored(rest, numbering_));
+  garment_.write(time_s, restored(garment, numbering_.garment));
+  rest_.write(time_s, restored(rest, numbering_.garment));
 }
 
-void SeriesOfRun::writeBody(double time_s, Frame body) {
-  body_->write(time_s, std::move(body));
+void SeriesOfRun::writeBody(double time_s, const Frame& body) {
+  body_->write(time_s, restored(body, numbering_.body));
 }
 
 void SeriesOfRun::finish() {

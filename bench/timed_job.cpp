@@ -39,14 +39,14 @@ class Job {
   void operator()() {
     const Clock::time_point start = Clock::now();
     const SceneInput given = readSceneInput(scene_);
-    const Numbering numbering = spatialNumbering(given.garment);
+    const InputNumbering numbering = spatialNumbering(given);
     const SceneInput input = renumbered(given, numbering);
     Cloth cloth(input.garment, scene_.garment.grain, scene_.material);
     timing_.vertices = cloth.vertexCount();
     MovingBody body = movingBody(scene_, input);
     timing_.setup_s = secondsSince(start);
     const ScratchDirectory scratch;
-    SeriesOfRun series(scratch.path, given.garment.triangles, numbering, input.body_triangles);
+    SeriesOfRun series(scratch.path, given, numbering);
     const std::vector<double> first_areas = cloth.restAreas();
 
     RunOptions options;

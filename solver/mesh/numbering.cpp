@@ -53,11 +53,20 @@ Numbering spatialNumbering(const TriangleMesh& mesh) {
 }
 
 TriangleMesh renumbered(const TriangleMesh& mesh, const Numbering& numbering) {
+  return {renumbered(mesh.positions, numbering.vertices), renumbered(mesh.triangles, numbering)};
+}
+
+Triangles renumbered(const Triangles& triangles, const Numbering& numbering) {
   const std::vector<int> number = newNumbers(numbering.vertices);
-  TriangleMesh ordered = mesh;
-  for (int k = 0; k < mesh.positions.rows(); ++k) ordered.positions.row(k) = mesh.positions.row(numbering.vertices[k]);
-  for (int k = 0; k < mesh.triangles.rows(); ++k)
-    for (int a = 0; a < 3; ++a) ordered.triangles(k, a) = number[mesh.triangles(numbering.triangles[k], a)];
+  Triangles ordered(triangles.rows(), 3);
+  for (int k = 0; k < triangles.rows(); ++k)
+    for (int a = 0; a < 3; ++a) ordered(k, a) = number[triangles(numbering.triangles[k], a)];
+  return ordered;
+}
+
+Positions renumbered(const Positions& positions, const std::vector<int>& order) {
+  Positions ordered(positions.rows(), 3);
+  for (int k = 0; k < positions.rows(); ++k) ordered.row(k) = positions.row(order[k]);
   return ordered;
 }
 

@@ -22,6 +22,8 @@ Numbering spatialNumbering(const TriangleMesh& mesh);
 
 /// The mesh, its vertices and triangles in their new order; corners of a triangle keep theirs.
 TriangleMesh renumbered(const TriangleMesh& mesh, const Numbering& numbering);
+Triangles renumbered(const Triangles& triangles, const Numbering& numbering);
+Positions renumbered(const Positions& positions, const std::vector<int>& order);
 
 /// The new number of each vertex (or triangle).
 std::vector<int> newNumbers(const std::vector<int>& order);
