@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "solver/linear/gradient_system.h"
+
 namespace ease {
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include "collision/mannequin.h"
 #include "collision/moving_body.h"
+#include "solver/mesh/triangle_gradient.h"
 #include "tests/collision/bodies.h"
 
 using namespace ease;

@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "collision/gradient_interpolation.h"
+#include "solver/linear/gradient_system.h"
 #include "solver/mesh/mesh_io.h"
 #include "tests/sheet.h"
 
@@ -11,24 +13,20 @@ using namespace ease;
 
 namespace {
 
-// A closed box of a limb along x from 0 to 1, bent at x = 0.5 about the z axis by `angle`, smoothly.
-TriangleMesh makeLimb(double angle) {
+// A closed limb along x from 0 to 1, each place of it where place(x, y, z) has it.
+template <class Place>
+TriangleMesh makeLimbAt(const Place& place) {
   const int around = 12, along = 30;
   TriangleMesh limb;
   limb.positions.resize(around * (along + 1) + 2, 3);
-  const auto bend = [&](double x, double y, double z) {
-    const double s = std::clamp((x - 0.35) / 0.3, 0.0, 1.0);
-    const Mat3 R = Eigen::AngleAxisd(angle * s * s * (3.0 - 2.0 * s), Vec3::UnitZ()).toRotationMatrix();
-    return Vec3(Vec3(0.5, 0.0, 0.0) + R * Vec3(x - 0.5, y, z));
-  };
   for (int j = 0; j <= along; ++j)
     for (int i = 0; i < around; ++i) {
       const double a = 2.0 * M_PI * i / around, x = static_cast<double>(j) / along;
-      limb.positions.row(j * around + i) = bend(x, 0.05 * std::cos(a), 0.05 * std::sin(a));
+      limb.positions.row(j * around + i) = place(x, 0.05 * std::cos(a), 0.05 * std::sin(a));
     }
   const int first = around * (along + 1), last = first + 1;
-  limb.positions.row(first) = bend(-0.02, 0.0, 0.0);
-  limb.positions.row(last) = bend(1.02, 0.0, 0.0);
+  limb.positions.row(first) = place(-0.02, 0.0, 0.0);
+  limb.positions.row(last) = place(1.02, 0.0, 0.0);
   std::vector<std::array<int, 3>> triangles;
   for (int i = 0; i < around; ++i) {
     const int next = (i + 1) % around;
@@ -46,31 +44,54 @@ TriangleMesh makeLimb(double angle) {
   return limb;
 }
 
+// Bent at x = 0.5 about the z axis by `angle`, smoothly.
+TriangleMesh makeLimb(double angle) {
+  return makeLimbAt([&](double x, double y, double z) {
+    const double s = std::clamp((x - 0.35) / 0.3, 0.0, 1.0);
+    const Mat3 R = Eigen::AngleAxisd(angle * s * s * (3.0 - 2.0 * s), Vec3::UnitZ()).toRotationMatrix();
+    return Vec3(Vec3(0.5, 0.0, 0.0) + R * Vec3(x - 0.5, y, z));
+  });
+}
+
+// Twisted about its axis by `angle` from end to end.
+TriangleMesh makeTwistedLimb(double angle) {
+  return makeLimbAt(
+      [&](double x, double y, double z) { return Vec3(Eigen::AngleAxisd(angle * x, Vec3::UnitX()) * Vec3(x, y, z)); });
+}
+
 double largestMove(const Positions& a, const Positions& b) {
   return (a - b).rowwise().norm().maxCoeff();
 }
 
 }  // namespace
 
-TEST_CASE("both poses come out at their ends, to a nanometre") {
+TEST_CASE("both poses come out at their ends to the last bit, beside them to a nanometre") {
   const TriangleMesh from = makeLimb(0.0), to = makeLimb(1.5);
-  PoseInterpolation interpolation(from.triangles, from.positions, to.positions);
+  const PoseInterpolation interpolation(from.triangles, from.positions, to.positions);
   Positions x;
+  interpolation.at(0.0, x);
+  CHECK(x == from.positions);
+  interpolation.at(1.0, x);
+  CHECK(x == to.positions);
   interpolation.at(1e-13, x);
   CHECK(largestMove(x, from.positions) < 1e-9);
   interpolation.at(1.0 - 1e-13, x);
   CHECK(largestMove(x, to.positions) < 1e-9);
 }
 
-TEST_CASE("the real poses come out at their ends, to a nanometre") {
+TEST_CASE("the real poses come out at their ends to the last bit, beside them to a nanometre") {
   const std::filesystem::path avatars = std::filesystem::path(EASE_SHARED_DATA) / "avatars";
   if (!std::filesystem::exists(avatars)) {
     WARN("skipped: no scans beside the checkout");
     return;
   }
   const TriangleMesh from = readMesh(avatars / "slim_a_pose.ply"), to = readMesh(avatars / "belly_arms_up.ply");
-  PoseInterpolation interpolation(from.triangles, from.positions, to.positions);
+  const PoseInterpolation interpolation(from.triangles, from.positions, to.positions);
   Positions x;
+  interpolation.at(0.0, x);
+  CHECK(x == from.positions);
+  interpolation.at(1.0, x);
+  CHECK(x == to.positions);
   interpolation.at(1e-13, x);
   CHECK(largestMove(x, from.positions) < 1e-9);
   interpolation.at(1.0 - 1e-13, x);
@@ -95,16 +116,45 @@ TEST_CASE("a limb turns without a jump and keeps its lengths, also by more than 
   }
 }
 
-TEST_CASE("a rigid turn in between is rigid: half of it is half the turn") {
+TEST_CASE("a rigid turn in between is rigid: a part of it is that part of the turn") {
   const TriangleMesh from = makeLimb(0.4);
-  const Mat3 R = Eigen::AngleAxisd(2.0, Vec3(1.0, 1.0, 0.0).normalized()).toRotationMatrix();
-  const Mat3 half = Eigen::AngleAxisd(1.0, Vec3(1.0, 1.0, 0.0).normalized()).toRotationMatrix();
-  PoseInterpolation interpolation(from.triangles, from.positions, from.positions * R.transpose());
-  Positions x;
-  interpolation.at(0.5, x);
-  Positions expected = from.positions * half.transpose();
-  expected.rowwise() += (x.row(0) - expected.row(0));
-  CHECK(largestMove(x, expected) < 1e-9);
+  const Vec3 axis = Vec3(1.0, 1.0, 0.0).normalized();
+  for (const double angle : {2.0, 170.0 * M_PI / 180.0}) {
+    const Mat3 R = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    const PoseInterpolation interpolation(from.triangles, from.positions, from.positions * R.transpose());
+    Positions x;
+    for (int k = 0; k <= 40; ++k) {
+      interpolation.at(k / 40.0, x);
+      const Mat3 part = Eigen::AngleAxisd(k / 40.0 * angle, axis).toRotationMatrix();
+      Positions expected = from.positions * part.transpose();
+      expected.rowwise() += (x.row(0) - expected.row(0));
+      CHECK(largestMove(x, expected) < 1e-10);
+    }
+  }
+}
+
+TEST_CASE("the polynomial agrees with poses that are solved for, at its nodes too") {
+  std::vector<double> moments;
+  for (int k = 0; k <= 100; ++k) moments.push_back(k / 100.0);
+  for (int n = 2; n <= 24; ++n)
+    for (int j = 1; j < n; ++j) moments.push_back(std::pow(std::sin(0.5 * M_PI * j / n), 2.0));
+  const TriangleMesh straight = makeLimb(0.0);
+  const Mat3 R = Eigen::AngleAxisd(170.0 * M_PI / 180.0, Vec3::UnitY()).toRotationMatrix();
+  const std::vector<Positions> targets{straight.positions, 1.3 * straight.positions, straight.positions * R.transpose(),
+                                       makeLimb(3.5).positions, makeTwistedLimb(10.0).positions};
+  for (size_t k = 0; k < targets.size(); ++k) {
+    GradientInterpolation solved(straight.triangles, straight.positions, targets[k]);
+    CHECK((solved.largestTurn() > M_PI) == (k >= 3));  // the last two have been unwound
+    const PoseInterpolation interpolation(straight.triangles, straight.positions, targets[k]);
+    Positions x, expected;
+    double largest = 0.0;
+    for (double s : moments) {
+      interpolation.at(s, x);
+      solved.at(s, expected);
+      largest = std::max(largest, largestMove(x, expected));
+    }
+    CHECK(largest < 1e-10);
+  }
 }
 
 TEST_CASE("an ordering found before serves as well") {
