@@ -1,7 +1,6 @@
 #include "collision/gradient_interpolation.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <numeric>
 #include <queue>
@@ -17,6 +16,13 @@ Mat3 rotationMatrix(const Vec3& vector) {
   const double angle = vector.norm();
   if (angle == 0.0) return Mat3::Identity();
   return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
+}
+
+// A plane's frame and its normal.
+Mat3 basis(const Mat32& frame) {
+  Mat3 all;
+  all << frame, frame.col(0).cross(frame.col(1));
+  return all;
 }
 
 // Of the vectors that mean the same rotation as `vector`, the one nearest to `other`.
@@ -93,7 +99,7 @@ GradientInterpolation::GradientInterpolation(const Triangles& triangles, const P
   if (!system_.factor(rest_inverse, weights, diagonal))
     throw ComputationError("pose interpolation: the body's Laplacian is not positive definite");
 
-  findRotations(to);
+  findRotations(to, rest_inverse);
   unwindRotations(triangles);
   targets_.resize(m);
   anchors_.setZero(from.rows(), 3);
@@ -118,21 +124,20 @@ void GradientInterpolation::findParts(const Positions& from, const Positions& to
   }
 }
 
-void GradientInterpolation::findRotations(const Positions& to) {
+void GradientInterpolation::findRotations(const Positions& to, std::span<const Mat2> rest_inverse) {
   const int m = static_cast<int>(triangles_.rows());
   rotations_.resize(m);
   stretches_.resize(m);
   parallelFor(m, 256, [&](int t) {
-    const Mat32 edges_from = edgeMatrix(from_, triangles_, t), edges_to = edgeMatrix(to, triangles_, t);
-    Mat3 from_basis, to_basis;
-    from_basis << edges_from, edges_from.col(0).cross(edges_from.col(1)).normalized();
-    to_basis << edges_to, edges_to.col(0).cross(edges_to.col(1)).normalized();
-    const Mat3 J = to_basis * from_basis.inverse();
-    const Eigen::JacobiSVD<Mat3> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Mat3 R = svd.matrixU() * svd.matrixV().transpose();  // both normals are kept: never a reflection
+    const Mat32 edges = edgeMatrix(to, triangles_, t), gradient = edges * rest_inverse[t];
+    const Mat32 frame = planeFrame(edges, edges.col(0));
+    // The normal goes to the normal, never a reflection; within the plane, the nearest rotation has a closed form.
+    const Mat2 flat = frame.transpose() * gradient;
+    const double angle = std::atan2(flat(1, 0) - flat(0, 1), flat(0, 0) + flat(1, 1));
+    const Mat3 R = basis(frame * Eigen::Rotation2Dd(angle).toRotationMatrix()) * basis(frames_[t]).transpose();
     const Eigen::AngleAxisd turn(R);
     rotations_[t] = turn.angle() * turn.axis();
-    stretches_[t] = R.transpose() * J * frames_[t];
+    stretches_[t] = R.transpose() * gradient;
   });
 }
 

@@ -29,7 +29,7 @@ class GradientInterpolation {
 
  private:
   void findParts(const Positions& from, const Positions& to);
-  void findRotations(const Positions& to);
+  void findRotations(const Positions& to, std::span<const Mat2> rest_inverse);
   void unwindRotations(const Triangles& triangles);
 
   struct Part {
