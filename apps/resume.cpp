@@ -83,7 +83,7 @@ std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input,
   const int leg = scene.body ? scene.body->steps * scene.solver.steps_per_pose : 0;
   std::vector<std::uint64_t> met;
   for (int k = 0; k < std::ssize(poses) && (k == 0 || done.moving > (k - 1) * leg); ++k) {
-    // Between two poses the body is not the same forth and back (pose_interpolation.h).
+    // Between two poses the body is not the same forth and back (gradient_interpolation.h).
     const bool runs_back = done.moving < k * leg && poses[k] < poses[k - 1];
     const Positions& x = input.poses[poses[k]];
     met.push_back(fingerprint(x.data(), x.size() * sizeof(double)) + (runs_back ? 1 : 0));

@@ -12,6 +12,9 @@
 //
 // The polynomial is evaluated by the barycentric formula (Berrut and Trefethen 2004).  At a node it is the node's pose,
 // to the last bit: a motion that ends there and one that goes on are the same.
+//
+// Milliseconds for a scanned body of 27,578 vertices, one thread, n = 13: a pose .3 to .7 as caches are warm or cold,
+// one that is solved for 4.8; set-up 138, of which the solves are 60.  It pays from some 14 poses on.
 #pragma once
 
 #include <span>
