@@ -41,7 +41,7 @@ inline float outside(float x, float low, float high) {
 }
 
 /// Squared distances of the node's boxes.
-NearLanes boxDistances(const TreeNode& node, const FloatPoint& p, float bound, Lanes& squared) {
+inline NearLanes boxDistances(const TreeNode& node, const FloatPoint& p, float bound, Lanes& squared) {
   const float x = p.x[0], y = p.x[1], z = p.x[2];
   for (int k = 0; k < kWidth; ++k)
     squared[k] = square(outside(x, node.low[0][k], node.high[0][k])) +
@@ -58,7 +58,7 @@ inline float segmentDistance(float dx, float dy, float dz, float ex, float ey, f
 
 /// Squared distances of the leaf's triangles: to the plane where the point projects into the triangle, else to the
 /// nearest edge.
-NearLanes triangleDistances(const TreeLeaf& leaf, const FloatPoint& p, float bound, Lanes& squared) {
+inline NearLanes triangleDistances(const TreeLeaf& leaf, const FloatPoint& p, float bound, Lanes& squared) {
   for (int k = 0; k < kWidth; ++k) {
     const float dx = p.x[0] - leaf.corner[0][k], dy = p.x[1] - leaf.corner[1][k], dz = p.x[2] - leaf.corner[2][k];
     const float nx = leaf.normal[0][k], ny = leaf.normal[1][k], nz = leaf.normal[2][k];
