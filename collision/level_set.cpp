@@ -38,6 +38,16 @@ int filledNeighbour(const Leaf& leaf, int offset) {
   return -1;
 }
 
+/// Whether all corners of the voxel above the one at `offset` are filled; they lie in the leaf.  A slab of its mask is
+/// a word, a row along z a byte.
+bool isVoxelFilled(const Leaf& leaf, openvdb::Index offset) {
+  constexpr std::uint64_t kFace = 0x0303;
+  const openvdb::Index slab = offset / (kSide * kSide);
+  const auto& mask = leaf.getValueMask();
+  const std::uint64_t both = mask.getWord<std::uint64_t>(slab) & mask.getWord<std::uint64_t>(slab + 1);
+  return ((both >> (offset % (kSide * kSide))) & kFace) == kFace;
+}
+
 }  // namespace
 
 struct LevelSet::Data {
@@ -72,6 +82,7 @@ struct LevelSet::Data {
   void store(const Voxel& voxel, const Vec3& x, const ClosestPoint& found);
   Vec3 gradientAt(const Vec3& x, const ClosestPoint& found) const;
   void demand(const Coord& corner, openvdb::tree::ValueAccessor<Tree, false>& accessor);
+  bool findCorners(const Coord& low, Accessor& accessor, const VoxelCorner** corner) const;
   LevelSetSample sampleAt(const Vec3& x, Accessor& accessor) const;
   LevelSetSample exactAt(const Vec3& x, int nearby) const;
 };
@@ -184,24 +195,37 @@ void LevelSet::Data::store(const Voxel& voxel, const Vec3& x, const ClosestPoint
   nearest[at] = found.triangle;
 }
 
+/// Finds the corners of the voxel above `low`; false where one is not filled.
+bool LevelSet::Data::findCorners(const Coord& low, Accessor& accessor, const VoxelCorner** corner) const {
+  const Leaf* lowest = accessor.probeConstLeaf(low);
+  const openvdb::Index offset = Leaf::coordToOffset(low);
+  const auto last = [&](int axis) { return (low[axis] & (kSide - 1)) == kSide - 1; };
+  if (!(last(0) | last(1) | last(2))) {
+    if (!lowest || !isVoxelFilled(*lowest, offset)) return false;
+    const VoxelCorner* first = &corners[lowest->transientData() * size_t{Leaf::SIZE} + offset];
+    for (int c = 0; c < 8; ++c) corner[c] = first + (c >> 2) * kSide * kSide + ((c >> 1) & 1) * kSide + (c & 1);
+    return true;
+  }
+  // Bits of the axes along which the upper corners lie in the next leaf; a corner's leaf is that of the first with its
+  // bits.
+  const int crossed = (last(0) ? 4 : 0) + (last(1) ? 2 : 0) + (last(2) ? 1 : 0);
+  const Leaf* leaf[8];
+  for (int c = 0; c < 8; ++c) {
+    const Coord at = low.offsetBy(c >> 2, (c >> 1) & 1, c & 1);
+    leaf[c] = c == 0 ? lowest : (c & crossed) == c ? accessor.probeConstLeaf(at) : leaf[c & crossed];
+    if (!leaf[c] || !leaf[c]->isValueOn(Leaf::coordToOffset(at))) return false;
+    corner[c] = &corners[leaf[c]->transientData() * size_t{Leaf::SIZE} + Leaf::coordToOffset(at)];
+  }
+  return true;
+}
+
 LevelSetSample LevelSet::Data::sampleAt(const Vec3& x, Accessor& accessor) const {
   if (!reach.contains(x)) return {x.allFinite() ? options.band : kUnfilled, Vec3::Zero(), -1};
   const Vec3 index = x * per_voxel;
   const Coord low = cell(x);
   VoxelCorners around;
   for (int axis = 0; axis < 3; ++axis) around.within[axis] = static_cast<float>(index[axis] - low[axis]);
-  // Bits of the axes along which the upper corners lie in the next leaf; a corner's leaf is that of the first with its
-  // bits.
-  int crossed = 0;
-  for (int axis = 0; axis < 3; ++axis) crossed |= (low[axis] & (kSide - 1)) == kSide - 1 ? 4 >> axis : 0;
-  const Leaf* leaf[8];
-  for (int c = 0; c < 8; ++c) {
-    const Coord at = low.offsetBy(c >> 2, (c >> 1) & 1, c & 1);
-    leaf[c] = (c & crossed) == c ? accessor.probeConstLeaf(at) : leaf[c & crossed];
-    const openvdb::Index offset = Leaf::coordToOffset(at);
-    if (!leaf[c] || !leaf[c]->isValueOn(offset)) return {kUnfilled, Vec3::Zero(), -1};
-    around.corner[c] = &corners[leaf[c]->transientData() * size_t{Leaf::SIZE} + offset];
-  }
+  if (!findCorners(low, accessor, around.corner)) return {kUnfilled, Vec3::Zero(), -1};
   const VoxelBlend found = blend(around, options.voxel, far);
   if (found.beyond || std::abs(found.phi) >= options.band)
     return {std::copysign(options.band, found.phi), Vec3::Zero(), -1};

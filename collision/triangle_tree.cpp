@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "collision/point_triangle.h"
 #include "collision/triangle_tree_data.h"
@@ -39,17 +40,14 @@ inline float outside(float x, float low, float high) {
   return larger(larger(low - x, x - high), 0.0f);
 }
 
-/// Squared distances of the node's boxes; returns the lanes where they are at most `bound`.
-unsigned boxDistances(const TreeNode& node, const FloatPoint& p, float bound, Lanes& squared) {
+/// Squared distances of the node's boxes.
+inline NearLanes boxDistances(const TreeNode& node, const FloatPoint& p, float bound, Lanes& squared) {
   const float x = p.x[0], y = p.x[1], z = p.x[2];
-  unsigned near = 0;
-  for (int k = 0; k < kWidth; ++k) {
+  for (int k = 0; k < kWidth; ++k)
     squared[k] = square(outside(x, node.low[0][k], node.high[0][k])) +
                  square(outside(y, node.low[1][k], node.high[1][k])) +
                  square(outside(z, node.low[2][k], node.high[2][k]));
-    near |= squared[k] <= bound ? kLaneBit[k] : 0u;
-  }
-  return near;
+  return nearLanes(squared, bound);
 }
 
 /// Squared distance of the point d from the segment from 0 to e.
@@ -59,9 +57,8 @@ inline float segmentDistance(float dx, float dy, float dz, float ex, float ey, f
 }
 
 /// Squared distances of the leaf's triangles: to the plane where the point projects into the triangle, else to the
-/// nearest edge.  Returns the lanes where they are at most `bound`.
-unsigned triangleDistances(const TreeLeaf& leaf, const FloatPoint& p, float bound, Lanes& squared) {
-  unsigned near = 0;
+/// nearest edge.
+inline NearLanes triangleDistances(const TreeLeaf& leaf, const FloatPoint& p, float bound, Lanes& squared) {
   for (int k = 0; k < kWidth; ++k) {
     const float dx = p.x[0] - leaf.corner[0][k], dy = p.x[1] - leaf.corner[1][k], dz = p.x[2] - leaf.corner[2][k];
     const float nx = leaf.normal[0][k], ny = leaf.normal[1][k], nz = leaf.normal[2][k];
@@ -75,9 +72,8 @@ unsigned triangleDistances(const TreeLeaf& leaf, const FloatPoint& p, float boun
     const float to_3 = segmentDistance(dx - ax, dy - ay, dz - az, bx - ax, by - ay, bz - az, leaf.inverse_square[2][k]);
     const float inner = smaller(smaller(side_1, -side_2), leaf.double_area[k] + side_2 - side_1);
     squared[k] = inner >= 0.0f ? plane : smaller(smaller(to_1, to_2), to_3);
-    near |= squared[k] <= bound ? kLaneBit[k] : 0u;
   }
-  return near;
+  return nearLanes(squared, bound);
 }
 
 struct Nearest {
@@ -100,44 +96,39 @@ class Search {
   Nearest run(int hint) {
     const int first_leaf = hint >= 0 ? tree_.leaf_of_triangle[hint] : -1;
     if (hint >= 0) visitLeaf(tree_.leaves[first_leaf]);
-    visitNode(tree_.nodes.front());
-    while (size_ > 0) {
-      if (stack_squared_[--size_] > bound_) continue;
-      const int child = stack_child_[size_];
-      if (child >= 0)
-        visitNode(tree_.nodes[child]);
-      else if (~child != first_leaf)
-        visitLeaf(tree_.leaves[~child]);
-    }
+    int next = 0;
+    do {
+      while (next >= 0) next = visitNode(tree_.nodes[next]);
+      if (next != kNone && ~next != first_leaf) visitLeaf(tree_.leaves[~next]);
+      for (next = kNone; next == kNone && size_ > 0;)
+        if (stack_squared_[--size_] <= bound_) next = stack_child_[size_];
+    } while (next != kNone);
     return best_;
   }
 
  private:
-  void visitNode(const TreeNode& node) {
+  static constexpr int kNone = std::numeric_limits<int>::min();  // no child
+
+  /// The nearest child; the others are put on the stack.
+  int visitNode(const TreeNode& node) {
     alignas(32) Lanes squared;
-    const int first = size_;
-    for (unsigned near = boxDistances(node, p_, bound_, squared); near != 0; near &= near - 1) {
-      const int k = __builtin_ctz(near);
-      int place = size_++;
-      for (; place > first && stack_squared_[place - 1] < squared[k]; --place) {
-        stack_squared_[place] = stack_squared_[place - 1];
-        stack_child_[place] = stack_child_[place - 1];
-      }
-      stack_squared_[place] = squared[k];
-      stack_child_[place] = node.child[k];
+    const auto [near, least] = boxDistances(node, p_, bound_, squared);
+    if (near == 0) return kNone;
+    for (unsigned others = near & ~(1u << least); others != 0; others &= others - 1) {
+      const int k = __builtin_ctz(others);
+      stack_squared_[size_] = squared[k];
+      stack_child_[size_++] = node.child[k];
     }
+    return node.child[least];
   }
 
   void visitLeaf(const TreeLeaf& leaf) {
     alignas(32) Lanes squared;
-    for (unsigned near = triangleDistances(leaf, p_, bound_, squared); near != 0;) {
-      int k = __builtin_ctz(near);
-      for (unsigned others = near & (near - 1); others != 0; others &= others - 1)
-        if (const int other = __builtin_ctz(others); squared[other] < squared[k]) k = other;
-      if (squared[k] > bound_) break;
-      tryTriangle(leaf.triangle[k]);
-      near &= ~(1u << k);
-    }
+    const auto [near, least] = triangleDistances(leaf, p_, bound_, squared);
+    if (near == 0) return;
+    tryTriangle(leaf.triangle[least]);
+    for (unsigned others = near & ~(1u << least); others != 0; others &= others - 1)
+      if (const int k = __builtin_ctz(others); squared[k] <= bound_) tryTriangle(leaf.triangle[k]);
   }
 
   void tryTriangle(int t) {

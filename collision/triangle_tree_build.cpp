@@ -117,39 +117,58 @@ void buildNodes(TriangleTree::Data& tree) {
   }
 }
 
-float inverseSquare(const Vec3& edge) {
-  const float squared = static_cast<float>(edge.squaredNorm());
-  return squared > 0.0f ? 1.0f / squared : 0.0f;
+using DoubleLanes = Eigen::Array<double, kWidth, 1>;  // one value of a leaf's triangles
+using DoubleLanes3 = std::array<DoubleLanes, 3>;      // by coordinate
+
+Eigen::Map<Eigen::Array<float, kWidth, 1>> arrayOf(Lanes& lanes) {
+  return Eigen::Map<Eigen::Array<float, kWidth, 1>>(lanes.data());
 }
 
+DoubleLanes squaredNorm(const DoubleLanes3& a) {
+  return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+}
+
+void setInverseSquare(const DoubleLanes3& edge, Lanes& inverse_square) {
+  const Eigen::Array<float, kWidth, 1> squared = squaredNorm(edge).cast<float>();
+  arrayOf(inverse_square) = (squared > 0.0f).select(1.0f / squared, 0.0f);
+}
+
+/// The eight triangles at once.
 void refitLeaf(TriangleTree::Data& tree, TreeLeaf& leaf) {
-  Eigen::AlignedBox3d box;
-  for (int k = 0; k < kWidth; ++k) {
-    const int t = leaf.triangle[k];
-    const Vec3 a = tree.positions.row(tree.triangles(t, 0)).transpose() - tree.centre;
-    const Vec3 b = tree.positions.row(tree.triangles(t, 1)).transpose() - tree.centre;
-    const Vec3 c = tree.positions.row(tree.triangles(t, 2)).transpose() - tree.centre;
-    const Vec3 edge_1 = b - a, edge_2 = c - a;
-    const Vec3 double_area_normal = edge_1.cross(edge_2);
-    const double double_area = double_area_normal.norm();
-    const Vec3 normal = double_area > 0.0 ? Vec3(double_area_normal / double_area) : Vec3(Vec3::Zero());
-    tree.normals[t] = normal;
-    for (int axis = 0; axis < 3; ++axis) {
-      leaf.corner[axis][k] = static_cast<float>(a[axis]);
-      leaf.edge_1[axis][k] = static_cast<float>(edge_1[axis]);
-      leaf.edge_2[axis][k] = static_cast<float>(edge_2[axis]);
-      leaf.normal[axis][k] = static_cast<float>(normal[axis]);
-    }
-    leaf.double_area[k] = static_cast<float>(double_area);
-    leaf.inverse_square[0][k] = inverseSquare(edge_1);
-    leaf.inverse_square[1][k] = inverseSquare(edge_2);
-    leaf.inverse_square[2][k] = inverseSquare(edge_2 - edge_1);
-    box.extend(a).extend(b).extend(c);
-  }
+  std::array<DoubleLanes3, 3> corner;
+  for (int c = 0; c < 3; ++c)
+    for (int k = 0; k < kWidth; ++k)
+      for (int axis = 0; axis < 3; ++axis) corner[c][axis][k] = tree.positions(leaf.vertex[c][k], axis);
+  DoubleLanes3 edge_1, edge_2, edge_3;
   for (int axis = 0; axis < 3; ++axis) {
-    leaf.box.low[axis] = static_cast<float>(box.min()[axis]);
-    leaf.box.high[axis] = static_cast<float>(box.max()[axis]);
+    DoubleLanes &a = corner[0][axis], &b = corner[1][axis], &c = corner[2][axis];
+    a -= tree.centre[axis];
+    b -= tree.centre[axis];
+    c -= tree.centre[axis];
+    edge_1[axis] = b - a;
+    edge_2[axis] = c - a;
+    edge_3[axis] = edge_2[axis] - edge_1[axis];
+    leaf.box.low[axis] = static_cast<float>(a.min(b).min(c).minCoeff());
+    leaf.box.high[axis] = static_cast<float>(a.max(b).max(c).maxCoeff());
+    arrayOf(leaf.corner[axis]) = a.cast<float>();
+    arrayOf(leaf.edge_1[axis]) = edge_1[axis].cast<float>();
+    arrayOf(leaf.edge_2[axis]) = edge_2[axis].cast<float>();
   }
+  DoubleLanes3 normal;  // first times the double area
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    normal[i] = edge_1[j] * edge_2[k] - edge_1[k] * edge_2[j];
+  }
+  const DoubleLanes double_area = squaredNorm(normal).sqrt();
+  arrayOf(leaf.double_area) = double_area.cast<float>();
+  for (int axis = 0; axis < 3; ++axis) {
+    normal[axis] = (double_area > 0.0).select(normal[axis] / double_area, 0.0);
+    arrayOf(leaf.normal[axis]) = normal[axis].cast<float>();
+  }
+  for (int k = 0; k < leaf.count; ++k) tree.normals[leaf.triangle[k]] = Vec3(normal[0][k], normal[1][k], normal[2][k]);
+  setInverseSquare(edge_1, leaf.inverse_square[0]);
+  setInverseSquare(edge_2, leaf.inverse_square[1]);
+  setInverseSquare(edge_3, leaf.inverse_square[2]);
 }
 
 FloatBox boxOf(const TriangleTree::Data& tree, int child) {

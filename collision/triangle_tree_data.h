@@ -5,8 +5,11 @@
 // can shift: every comparison that discards leaves that much room.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "collision/triangle_tree.h"
@@ -68,6 +71,22 @@ inline float smaller(float a, float b) {
 
 /// One bit a lane; a set of lanes is their sum.
 constexpr std::array<unsigned, kWidth> kLaneBit = {1, 2, 4, 8, 16, 32, 64, 128};
+
+/// Of eight squared distances, the lanes where they are at most a bound, and the lane of the least.
+struct NearLanes {
+  unsigned near, least;
+};
+
+inline NearLanes nearLanes(const Lanes& squared, float bound) {
+  // Floats that are not negative are in the order of their bits, of which the last three give way to the lane.
+  unsigned near = 0;
+  std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+  for (int k = 0; k < kWidth; ++k) {
+    near |= squared[k] <= bound ? kLaneBit[k] : 0u;
+    least = std::min(least, (std::bit_cast<std::uint32_t>(squared[k]) & ~7u) | static_cast<std::uint32_t>(k));
+  }
+  return {near, least & 7u};
+}
 
 /// Lanes whose boxes come within `slack` of `box`.  One loop over the lanes without branches, so that it vectorises.
 inline unsigned overlappingLanes(const Lanes3& low, const Lanes3& high, const FloatBox& box, float slack) {

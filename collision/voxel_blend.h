@@ -39,22 +39,36 @@ struct VoxelBlend {
 /// `voxel`: its side, m; `far`: |phi| of a corner beyond the band, m.
 inline VoxelBlend blend(const VoxelCorners& around, double voxel, float far) {
   constexpr double kAgreement = 0.9;  // of the corners' gradients, as the length of their mean: below, a fold
-  const float* f = around.within;
-  const float along_x[2] = {1.0f - f[0], f[0]}, along_y[2] = {1.0f - f[1], f[1]}, along_z[2] = {1.0f - f[2], f[2]};
-  Eigen::Array4f sum = Eigen::Array4f::Zero();  // of w_i (g_i, phi_i)
-  float slope = 0.0f;
-  for (int c = 0; c < 8; ++c) {
-    const int i = c >> 2, j = (c >> 1) & 1, k = c & 1;
-    const VoxelCorner& corner = *around.corner[c];
-    const float* g = corner.gradient;
-    if (std::abs(corner.phi) >= far) return {corner.phi, Vec3::Zero(), c, true, false};
-    const float weight = along_x[i] * along_y[j] * along_z[k];
-    sum += weight * Eigen::Map<const Eigen::Array4f>(g);
-    slope += weight * (g[0] * (f[0] - i) + g[1] * (f[1] - j) + g[2] * (f[2] - k));
+  using Four = Eigen::Array4f;        // (g, phi)
+  const float fx = around.within[0], fy = around.within[1], fz = around.within[2];
+  // From corners to edges along z, to faces, to the sample.  `along_z`: by how much the upper end of an edge differs
+  // from the lower one; `along_y` and `along_x` likewise.
+  Four at_x[2], along_y[2], along_z[2], largest = Four::Zero();
+  for (int i = 0; i < 2; ++i) {
+    Four at_y[2], along[2];
+    for (int j = 0; j < 2; ++j) {
+      const Four low = Eigen::Map<const Four>(around.corner[4 * i + 2 * j]->gradient);
+      const Four high = Eigen::Map<const Four>(around.corner[4 * i + 2 * j + 1]->gradient);
+      largest = largest.max(low.abs()).max(high.abs());
+      along[j] = high - low;
+      at_y[j] = low + fz * along[j];
+    }
+    along_z[i] = along[0] + fy * (along[1] - along[0]);
+    along_y[i] = at_y[1] - at_y[0];
+    at_x[i] = at_y[0] + fy * along_y[i];
   }
+  const Four along_x = at_x[1] - at_x[0], sum = at_x[0] + fx * along_x;
+  if (largest[3] >= far)
+    for (const VoxelCorner* corner : around.corner)
+      if (std::abs(corner->phi) >= far) return {corner->phi, Vec3::Zero(), 0, true, false};
+  // sum w_i g_i . (x - x_i) in voxels: along x, w_i (x - x_i) is fx (1 - fx) at the lower corners, its negative at the
+  // upper ones.
+  const float slope = -fx * (1.0f - fx) * along_x[0] -
+                      fy * (1.0f - fy) * (along_y[0] + fx * (along_y[1] - along_y[0]))[1] -
+                      fz * (1.0f - fz) * (along_z[0] + fx * (along_z[1] - along_z[0]))[2];
   const Vec3 normal(sum[0], sum[1], sum[2]);
   const double agreement = normal.norm();
-  const int closest = (f[0] > 0.5f ? 4 : 0) + (f[1] > 0.5f ? 2 : 0) + (f[2] > 0.5f ? 1 : 0);
+  const int closest = (fx > 0.5f ? 4 : 0) + (fy > 0.5f ? 2 : 0) + (fz > 0.5f ? 1 : 0);
   return {sum[3] + 0.5 * voxel * slope, normal / agreement, closest, false, agreement < kAgreement};
 }
 

@@ -24,9 +24,10 @@ std::uint64_t bitRange(int low, int high) {
 }
 
 void markWithinBlock(MarkedBlock& block, const GridPoint& low, const GridPoint& high) {
+  constexpr std::uint64_t kOneARow = 0x0101010101010101;  // times a row: the same in every row
   const std::uint64_t row = bitRange(low[2] & 7, high[2] & 7);
-  std::uint64_t slab = 0;
-  for (int y = low[1] & 7; y <= (high[1] & 7); ++y) slab |= row << (8 * y);
+  const int first = low[1] & 7, rows = (high[1] & 7) - first + 1;
+  const std::uint64_t slab = row * ((kOneARow >> (8 * (8 - rows))) << (8 * first));
   for (int x = low[0] & 7; x <= (high[0] & 7); ++x) setBits(block.corners[x], slab);
 }
 

@@ -51,6 +51,26 @@ TEST_CASE("the distance to a plane is blended exactly") {
   CHECK(found.closest == 4);
 }
 
+TEST_CASE("distance and normal are the sums of the formula, whatever the corners hold") {
+  const auto phi = [](const Vec3& p) { return 0.01 * std::sin(130.0 * p.x() + 210.0 * p.y() - 170.0 * p.z()); };
+  const auto gradient = [](const Vec3& p) {
+    return Vec3(1.0, 0.3 * std::sin(90.0 * p.y()), 0.3 * std::cos(70.0 * p.x() + p.z())).normalized();
+  };
+  const Vec3 low(0.02, -0.01, 0.03), within(0.8, 0.3, 0.6);
+  double distance = 0.0;
+  Vec3 normal = Vec3::Zero();
+  for (int c = 0; c < 8; ++c) {
+    const Vec3 up(c >> 2, (c >> 1) & 1, c & 1), corner = low + 0.01 * up;
+    const double weight = (Vec3::Ones() - (within - up).cwiseAbs()).prod();
+    distance += weight * (phi(corner) + 0.5 * 0.01 * gradient(corner).dot(within - up));
+    normal += weight * gradient(corner);
+  }
+  const VoxelBlend found = blendOf(low, 0.01, within, phi, gradient);
+  CHECK(std::abs(found.phi - distance) < 1e-8);
+  CHECK((found.normal - normal.normalized()).norm() < 1e-6);
+  CHECK(found.closest == 5);
+}
+
 TEST_CASE("the distance to a sphere is blended to third order") {
   const double order = std::log2(sphereError(0.2) / sphereError(0.1));
   CHECK(order > 2.7);
