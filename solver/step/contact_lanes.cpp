@@ -1,5 +1,9 @@
 #include "solver/step/contact_lanes.h"
 
+#include <algorithm>
+
+#include "solver/linear/parallel.h"
+
 namespace ease {
 
 namespace {
@@ -15,48 +19,92 @@ double contactArea(const Cloth& cloth, int sample) {
   return area;
 }
 
+/// Of a corner of the sample's host in the sample: 1; 1/2, 1/2; 1/3, 1/3, 1/3.
+double cornerWeight(const Cloth& cloth, const HostedSample& hosted, int corner) {
+  const int n = cloth.vertexCount(), e = static_cast<int>(cloth.topology().edges.size()), s = hosted.sample;
+  if (s >= n + e) return 1.0 / 3.0;
+  if (s >= n) return cloth.topology().triangle_edges(hosted.triangle, corner) == s - n ? 0.0 : 0.5;
+  return cloth.triangles()(hosted.triangle, corner) == s ? 1.0 : 0.0;
+}
+
 }  // namespace
 
-ContactLanes::ContactLanes() {
-  for (int l = 0; l < kLanes; ++l) {
-    sample[l] = -1;
-    for (int a = 0; a < 3; ++a) corners[a][l] = 0;
+std::vector<HostedSample> hostedSamples(const Cloth& cloth) {
+  const int n = cloth.vertexCount(), e = static_cast<int>(cloth.topology().edges.size());
+  std::vector<HostedSample> hosted;
+  std::vector<char> has_host(n, 0);
+  for (int t = 0; t < cloth.triangleCount(); ++t) {
+    for (int v : cloth.triangles().row(t)) {
+      if (!has_host[v]) hosted.push_back({v, t});
+      has_host[v] = 1;
+    }
+    for (int edge : cloth.topology().triangle_edges.row(t))
+      if (cloth.topology().edges[edge].triangle[0] == t) hosted.push_back({n + edge, t});
+    hosted.push_back({n + e + t, t});
   }
-  for (int a = 0; a < 3; ++a) weights[a] = normal[a] = Lanes::Zero();
-  offset = area = Lanes::Zero();
+  return hosted;
+}
+
+ContactLanes::ContactLanes(int block_of_triangles) : block(block_of_triangles) {
+  std::fill(std::begin(sample), std::end(sample), -1);
+  weight[0] = weight[1] = normal.x = normal.y = normal.z = offset = area = Lanes::Zero();
   give = Lanes::Ones();
 }
 
-void ContactLanes::set(int lane, const Cloth& cloth, int s, const ContactPlane& plane) {
-  const int n = cloth.vertexCount(), e = static_cast<int>(cloth.topology().edges.size());
-  int corner[3] = {s, s, s}, count = 1;
-  if (s >= n + e) {
-    count = 3;
-    for (int a = 0; a < 3; ++a) corner[a] = cloth.triangles()(s - n - e, a);
-  } else if (s >= n) {
-    count = 2;
-    corner[0] = corner[2] = cloth.topology().edges[s - n].vertex[0];
-    corner[1] = cloth.topology().edges[s - n].vertex[1];
-  }
-  sample[lane] = s;
-  for (int a = 0; a < 3; ++a) {
-    corners[a][lane] = corner[a];
-    weights[a][lane] = a < count ? 1.0 / count : 0.0;
-    normal[a][lane] = plane.normal[a];
-  }
+void ContactLanes::set(int lane, const Cloth& cloth, const HostedSample& hosted, const ContactPlane& plane) {
+  sample[lane] = hosted.sample;
+  for (int k = 0; k < 2; ++k) weight[k][lane] = cornerWeight(cloth, hosted, k + 1);
+  normal.x[lane] = plane.normal[0];
+  normal.y[lane] = plane.normal[1];
+  normal.z[lane] = plane.normal[2];
   offset[lane] = plane.offset;
   give[lane] = plane.give;
-  area[lane] = contactArea(cloth, s);
+  area[lane] = contactArea(cloth, hosted.sample);
 }
 
-Lanes ContactLanes::depth(const Positions& x) const {
-  Lanes height = Lanes::Zero();  // along the normal
-  for (int a = 0; a < 3; ++a) {
-    Column<Lanes> corner;
-    gather(x, corners[a], corner);
-    height += weights[a] * (corner.x * normal[0] + corner.y * normal[1] + corner.z * normal[2]);
+ContactLayout::ContactLayout(const Cloth& cloth, int group)
+    : cloth_(cloth),
+      samples_(hostedSamples(cloth)),
+      place_(cloth.vertexCount() + cloth.topology().edges.size() + cloth.triangleCount(), -1),
+      groups_((cloth.triangleCount() + group - 1) / group) {
+  for (size_t k = 0; k < samples_.size(); ++k) place_[samples_[k].sample] = static_cast<int>(k);
+  for (int g = 0; g <= groupCount(); ++g) {
+    const auto first = std::ranges::lower_bound(samples_, g * group, {}, &HostedSample::triangle);
+    begin_.push_back(static_cast<int>(first - samples_.begin()));
   }
-  return (offset - height).max(0.0);
+}
+
+void ContactLayout::set(const Contacts& contacts) {
+  empty_ = contacts.planes.empty();
+  seconds_.clear();
+  for (const auto& [sample, plane] : contacts.seconds)
+    if (place_[sample] >= 0) seconds_.push_back({place_[sample], plane});
+  std::ranges::stable_sort(seconds_, {}, &Second::place);
+  parallelFor(groupCount(), 1, [&](int g) { setGroup(g, contacts); });
+}
+
+void ContactLayout::setGroup(int g, const Contacts& contacts) {
+  std::vector<ContactLanes>& all = groups_[g];
+  all.clear();
+  if (empty_) return;
+  size_t first = 0;  // of the block's
+  int used[kLanes];
+  const auto add = [&](const HostedSample& hosted, const ContactPlane& plane) {
+    const int block = hosted.triangle / kLanes, lane = hosted.triangle % kLanes;
+    if (all.empty() || all.back().block != block) {
+      first = all.size();
+      std::fill(std::begin(used), std::end(used), 0);
+    }
+    const size_t at = first + used[lane]++;
+    if (at == all.size()) all.emplace_back(block);
+    all[at].set(lane, cloth_, hosted, plane);
+  };
+  auto second = std::ranges::lower_bound(seconds_, begin_[g], {}, &Second::place);
+  for (int k = begin_[g]; k < begin_[g + 1]; ++k) {
+    const ContactPlane& plane = contacts.planes[samples_[k].sample];
+    if (!plane.normal.isZero(0.0)) add(samples_[k], plane);
+    for (; second != seconds_.end() && second->place == k; ++second) add(samples_[k], second->plane);
+  }
 }
 
 }  // namespace ease

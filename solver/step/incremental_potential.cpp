@@ -1,5 +1,6 @@
 #include "solver/step/incremental_potential.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -10,7 +11,7 @@ namespace ease {
 namespace {
 
 constexpr int kGrain = 512;
-constexpr int kContactBlock = 1024;  // samples
+constexpr int kGroup = 512;          // of triangles or vertices, computed one after the other: a multiple of kLanes
 constexpr double kRoundOff = 1e-12;  // of the potential and the motion
 
 std::span<const int> flat(const Triangles& triangles) {
@@ -34,18 +35,19 @@ std::vector<int> hingeCorners(const std::vector<Hinge>& hinges) {
 IncrementalPotential::IncrementalPotential(const Cloth& cloth)
     : cloth_(cloth),
       inertial_(cloth.vertexCount(), 3),
+      contacts_(cloth, kGroup),
       bending_(cloth.vertexCount(), cloth.hinges()),
       triangle_corners_(cloth.vertexCount(), flat(cloth.triangles())),
       edge_ends_(cloth.vertexCount(), edgeEnds(cloth.topology().edges)),
       hinge_corners_(cloth.vertexCount(), hingeCorners(cloth.hinges())),
       lanes_((cloth.triangleCount() + kLanes - 1) / kLanes),
       corner_force_(3 * kLanes * lanes_.size()),
-      contact_force_(cloth.vertexCount() + cloth.topology().edges.size() + cloth.triangleCount(), Vec3::Zero()),
-      contact_hessian_(contact_force_.size()),
-      pressed_(contact_force_.size()),
+      contact_hessian_(contacts_.sampleCount()),
+      pressed_(contacts_.sampleCount()),
       frame_hessian_(cloth.triangleCount()),
       hinge_hessian_(cloth.hinges().size()),
-      hinge_force_(cloth.hinges().size()) {}
+      hinge_force_(cloth.hinges().size()),
+      vertex_sums_((cloth.vertexCount() + kGroup - 1) / kGroup) {}
 
 void IncrementalPotential::begin(const State& start, const StepOptions& options) {
   options_ = options;
@@ -95,30 +97,7 @@ void IncrementalPotential::layOutTriangles() {
 }
 
 void IncrementalPotential::setContacts(const Contacts& contacts) {
-  const int count = static_cast<int>(contacts.planes.size());
-  touches_ = count > 0;
-  const int blocks = static_cast<int>((contact_force_.size() + kContactBlock - 1) / kContactBlock);
-  contacts_.resize(blocks + 1);
-  const auto add = [&](std::vector<ContactLanes>& block, int& lane, int sample, const ContactPlane& plane) {
-    if (lane == kLanes) {
-      block.emplace_back();
-      lane = 0;
-    }
-    block.back().set(lane++, cloth_, sample, plane);
-  };
-  parallelFor(blocks, 1, [&](int b) {
-    std::vector<ContactLanes>& block = contacts_[b];
-    for (const ContactLanes& lanes : block)
-      for (int s : lanes.sample)
-        if (s >= 0) contact_force_[s].setZero();
-    block.clear();
-    int lane = kLanes;
-    for (int s = b * kContactBlock; s < std::min(count, (b + 1) * kContactBlock); ++s)
-      if (!contacts.planes[s].normal.isZero(0.0)) add(block, lane, s, contacts.planes[s]);
-  });
-  contacts_.back().clear();
-  int lane = kLanes;
-  for (const auto& [sample, plane] : contacts.seconds) add(contacts_.back(), lane, sample, plane);
+  contacts_.set(contacts);
 }
 
 IncrementalPotential::TriangleSprings IncrementalPotential::springs(int t) const {
@@ -137,58 +116,87 @@ HingeDamper IncrementalPotential::hingeDamper(int e) const {
   return {cloth_.material().damping_bending / options_.h * cloth_.hinges()[e].inverse_area, start_bending_[e]};
 }
 
-Vec3 IncrementalPotential::gatherContact(int vertex) const {
-  const int n = cloth_.vertexCount(), e = static_cast<int>(cloth_.topology().edges.size());
-  Vec3 edges = Vec3::Zero(), triangles = Vec3::Zero();
-  for (int k : edge_ends_.of(vertex)) edges += contact_force_[n + k / 2];
-  for (int k : triangle_corners_.of(vertex)) triangles += contact_force_[n + e + k / 3];
-  return contact_force_[vertex] + edges / 2.0 + triangles / 3.0;
+TriangleEdges IncrementalPotential::TriangleLanes::edgesAt(const Positions& x) const {
+  Column<Lanes> at[3];
+  for (int a = 0; a < 3; ++a)
+    for (int l = 0; l < kLanes; ++l) {
+      const double* position = x.data() + 3 * corners[a][l];
+      at[a].x[l] = position[0];
+      at[a].y[l] = position[1];
+      at[a].z[l] = position[2];
+    }
+  const auto from = [&](const Column<Lanes>& end) {
+    return Column<Lanes>{end.x - at[0].x, end.y - at[0].y, end.z - at[0].z};
+  };
+  return {at[0], from(at[1]), from(at[2])};
 }
 
-double IncrementalPotential::membraneForces(const Positions& x) {
-  const Material& material = cloth_.material();
+/// Of membrane and contact on the corners of triangles; returns their energy, J.
+double IncrementalPotential::triangleForces(const Positions& x) {
+  const int per_group = kGroup / kLanes;
   const TriangleSprings stiffness = springs(0);  // the same for all but where they are at rest
-  const bool springy = stiffness.warp.k > 0.0 || stiffness.weft.k > 0.0 || stiffness.shear.k > 0.0;
-  const bool bw98 = material.shear_form == ShearForm::bw98;
-  partial_.resize(lanes_.size());
-  parallelFor(static_cast<int>(lanes_.size()), kGrain / kLanes, [&](int block) {
-    const TriangleLanes& lanes = lanes_[block];
-    Column<Lanes> corner[3];
-    for (int a = 0; a < 3; ++a) gather(x, lanes.corners[a], corner[a]);
-    const Column<Lanes> e1{corner[1].x - corner[0].x, corner[1].y - corner[0].y, corner[1].z - corner[0].z};
-    const Column<Lanes> e2{corner[2].x - corner[0].x, corner[2].y - corner[0].y, corner[2].z - corner[0].z};
-    const Lanes* D = lanes.inverse;
-    const auto column = [&](int k) {
-      return Column<Lanes>{e1.x * D[k] + e2.x * D[2 + k], e1.y * D[k] + e2.y * D[2 + k], e1.z * D[k] + e2.z * D[2 + k]};
-    };
-    const Deformation<Lanes> F{column(0), column(1)};
-    const Column<Lanes> none{Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
-    Deformation<Lanes> stress{none, none};
-    Lanes psi = Lanes::Zero();
-    if (springy) {
-      psi += addStretch(F.u, stiffness.warp.k, lanes.warp, stress.u);
-      psi += addStretch(F.v, stiffness.weft.k, lanes.weft, stress.v);
-      psi += bw98 ? addBw98Shear(F, stiffness.shear.k, lanes.shear, stress)
-                  : addOrthogonalShear(F, stiffness.shear.k, lanes.shear, stress);
-    }
-    if (!woven()) psi += addIsotropic(F, material.mu, material.lambda, stress);
-    partial_[block] = (psi * lanes.area).sum();
-
-    // dE/dx of corners 1 and 2: a (stress) D^-T; of corner 0 what keeps the balance.
-    const auto force = [&](int k) {
-      const Lanes u = lanes.area * D[2 * k], v = lanes.area * D[2 * k + 1];
-      return Column<Lanes>{stress.u.x * u + stress.v.x * v, stress.u.y * u + stress.v.y * v,
-                           stress.u.z * u + stress.v.z * v};
-    };
-    const Column<Lanes> f1 = force(0), f2 = force(1);
-    Vec3* out = corner_force_.data() + static_cast<size_t>(3 * kLanes) * block;
-    for (int l = 0; l < kLanes; ++l) {
-      out[3 * l + 1] = Vec3(f1.x[l], f1.y[l], f1.z[l]);
-      out[3 * l + 2] = Vec3(f2.x[l], f2.y[l], f2.z[l]);
-      out[3 * l] = -out[3 * l + 1] - out[3 * l + 2];
+  partial_.resize(contacts_.groupCount());
+  parallelFor(contacts_.groupCount(), 1, [&](int g) {
+    const std::span<const ContactLanes> contacts = contacts_.group(g);
+    const int end = std::min((g + 1) * per_group, static_cast<int>(lanes_.size()));
+    size_t first = 0, last = 0;  // of the block's contacts
+    partial_[g] = 0.0;
+    for (int block = g * per_group; block < end; ++block, first = last) {
+      while (last < contacts.size() && contacts[last].block == block) ++last;
+      partial_[g] += blockForces(block, stiffness, contacts.subspan(first, last - first), x);
     }
   });
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
+}
+
+/// The same of eight triangles.
+double IncrementalPotential::blockForces(int block, const TriangleSprings& stiffness,
+                                         std::span<const ContactLanes> contacts, const Positions& x) {
+  const Material& material = cloth_.material();
+  const bool springy = stiffness.warp.k > 0.0 || stiffness.weft.k > 0.0 || stiffness.shear.k > 0.0;
+  const TriangleLanes& lanes = lanes_[block];
+  const TriangleEdges host = lanes.edgesAt(x);
+  const Column<Lanes>&e1 = host.edge_1, &e2 = host.edge_2;
+  const Lanes* D = lanes.inverse;
+  const auto column = [&](int k) {
+    return Column<Lanes>{e1.x * D[k] + e2.x * D[2 + k], e1.y * D[k] + e2.y * D[2 + k], e1.z * D[k] + e2.z * D[2 + k]};
+  };
+  const Deformation<Lanes> F{column(0), column(1)};
+  const Column<Lanes> none{Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
+  Deformation<Lanes> stress{none, none};
+  Lanes psi = Lanes::Zero();
+  if (springy) {
+    psi += addStretch(F.u, stiffness.warp.k, lanes.warp, stress.u);
+    psi += addStretch(F.v, stiffness.weft.k, lanes.weft, stress.v);
+    psi += material.shear_form == ShearForm::bw98 ? addBw98Shear(F, stiffness.shear.k, lanes.shear, stress)
+                                                  : addOrthogonalShear(F, stiffness.shear.k, lanes.shear, stress);
+  }
+  if (!woven()) psi += addIsotropic(F, material.mu, material.lambda, stress);
+  Lanes energy = psi * lanes.area;
+
+  // dE/dx of corners 1 and 2: a (stress) D^-T; of corner 0 what keeps the balance.
+  const auto force = [&](int k) {
+    const Lanes u = lanes.area * D[2 * k], v = lanes.area * D[2 * k + 1];
+    return Column<Lanes>{stress.u.x * u + stress.v.x * v, stress.u.y * u + stress.v.y * v,
+                         stress.u.z * u + stress.v.z * v};
+  };
+  Column<Lanes> f1 = force(0), f2 = force(1), all = none;
+  for (const ContactLanes& contact : contacts) {
+    const Lanes depth = contact.depth(host);
+    if (!(depth > 0.0).any()) continue;
+    energy += contact.area * contactEnergy(depth, options_.contact_stiffness, contact.give);
+    const Lanes push = -contact.area * ease::contactPressure(depth, options_.contact_stiffness, contact.give);
+    addScaled(all, push, contact.normal);
+    addScaled(f1, Lanes(push * contact.weight[0]), contact.normal);
+    addScaled(f2, Lanes(push * contact.weight[1]), contact.normal);
+  }
+  Vec3* out = corner_force_.data() + static_cast<size_t>(3 * kLanes) * block;
+  for (int l = 0; l < kLanes; ++l) {
+    out[3 * l + 1] = Vec3(f1.x[l], f1.y[l], f1.z[l]);
+    out[3 * l + 2] = Vec3(f2.x[l], f2.y[l], f2.z[l]);
+    out[3 * l] = Vec3(all.x[l], all.y[l], all.z[l]) - out[3 * l + 1] - out[3 * l + 2];
+  }
+  return energy.sum();
 }
 
 double IncrementalPotential::hingeDampingForces(const Positions& x) {
@@ -202,69 +210,45 @@ double IncrementalPotential::hingeDampingForces(const Positions& x) {
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
-double IncrementalPotential::contactForces(const Positions& x) {
-  if (!touches_) return 0.0;
-  partial_.assign(contacts_.size(), 0.0);
-  const int blocks = static_cast<int>(contacts_.size()) - 1;
-  const auto addBlock = [&](int b) {
-    for (const ContactLanes& lanes : contacts_[b]) {
-      const Lanes depth = lanes.depth(x);
-      partial_[b] += (lanes.area * contactEnergy(depth, options_.contact_stiffness, lanes.give)).sum();
-      const Lanes force = -lanes.area * ease::contactPressure(depth, options_.contact_stiffness, lanes.give);
-      const Lanes f[3] = {force * lanes.normal[0], force * lanes.normal[1], force * lanes.normal[2]};
-      for (int l = 0; l < kLanes; ++l)
-        if (const int s = lanes.sample[l]; s >= 0) {
-          const Vec3 one(f[0][l], f[1][l], f[2][l]);
-          contact_force_[s] = b < blocks ? one : Vec3(contact_force_[s] + one);
-        }
-    }
-  };
-  parallelFor(blocks, 1, addBlock);
-  addBlock(blocks);
-  return std::accumulate(partial_.begin(), partial_.end(), 0.0);
-}
-
-double IncrementalPotential::gradient(const Positions& x, Positions& gradient) {
-  const double energy = membraneForces(x) + hingeDampingForces(x) + contactForces(x);
+double IncrementalPotential::gradient(const Positions& x, Positions& gradient, StepMotion* motion) {
+  const double energy = triangleForces(x) + hingeDampingForces(x);
   const double inverse_h2 = 1.0 / (options_.h * options_.h);
+  const Vec3 fall = options_.h * options_.h * options_.gravity;  // inertial_ has fallen already
   const bool damps_bending = !start_bending_.empty();
-  partial_.resize(cloth_.vertexCount());
-  parallelFor(cloth_.vertexCount(), kGrain, [&](int i) {
-    const Vec3 ahead = x.row(i) - inertial_.row(i);
-    const double mass = inverse_h2 * cloth_.masses()[i];
-    Vec3 sum = mass * ahead;
-    partial_[i] = 0.5 * mass * ahead.squaredNorm();
-    if (!bending_.empty()) partial_[i] += bending_.addRow(i, x, sum);
-    for (int k : triangle_corners_.of(i)) sum += corner_force_[k];
-    if (damps_bending)
-      for (int k : hinge_corners_.of(i)) sum += cloth_.hinges()[k / 4].stencil[k % 4] * hinge_force_[k / 4];
-    if (touches_) sum += gatherContact(i);
-    gradient.row(i) = sum;
+  parallelFor(static_cast<int>(vertex_sums_.size()), 1, [&](int g) {
+    VertexSums sums{};
+    for (int i = g * kGroup; i < std::min((g + 1) * kGroup, cloth_.vertexCount()); ++i) {
+      const Vec3 here = x.row(i), ahead = here - inertial_.row(i).transpose();
+      const double mass = inverse_h2 * cloth_.masses()[i];
+      sums.energy += 0.5 * mass * ahead.squaredNorm();
+      sums.motion.all += mass * (here - start_.row(i).transpose()).squaredNorm();
+      sums.motion.forced += mass * (ahead + fall).squaredNorm();
+      Vec3 sum = mass * ahead;
+      if (!bending_.empty()) sums.energy += bending_.addRow(i, x, sum);
+      for (int k : triangle_corners_.of(i)) sum += corner_force_[k];
+      if (damps_bending)
+        for (int k : hinge_corners_.of(i)) sum += cloth_.hinges()[k / 4].stencil[k % 4] * hinge_force_[k / 4];
+      gradient.row(i) = sum;
+    }
+    vertex_sums_[g] = sums;
   });
-  return std::accumulate(partial_.begin(), partial_.end(), energy);
-}
-
-template <class Displacement>
-double IncrementalPotential::kineticOf(const Displacement& displacement) const {
-  return parallelSum(cloth_.vertexCount(), [&](int i) { return cloth_.masses()[i] * displacement(i).squaredNorm(); }) /
-         (options_.h * options_.h);
+  VertexSums all{energy, {}};
+  for (const VertexSums& sums : vertex_sums_) {
+    all.energy += sums.energy;
+    all.motion.all += sums.motion.all;
+    all.motion.forced += sums.motion.forced;
+  }
+  if (motion) *motion = all.motion;
+  return all.energy;
 }
 
 double IncrementalPotential::kinetic(const Positions& d) const {
-  return kineticOf([&](int i) -> Vec3 { return d.row(i); });
+  return parallelSum(cloth_.vertexCount(), [&](int i) { return cloth_.masses()[i] * d.row(i).squaredNorm(); }) /
+         (options_.h * options_.h);
 }
 
-double IncrementalPotential::motion(const Positions& x) const {
-  return kineticOf([&](int i) -> Vec3 { return x.row(i) - start_.row(i); });
-}
-
-double IncrementalPotential::correction(const Positions& x) const {
-  const Vec3 fall = options_.h * options_.h * options_.gravity;  // inertial_ has fallen already
-  return kineticOf([&](int i) -> Vec3 { return (x.row(i) - inertial_.row(i)).transpose() + fall; });
-}
-
-double IncrementalPotential::roundOff(const Positions& x, double energy) const {
-  return kRoundOff * (std::abs(energy) + motion(x)) + bending_round_off_;
+double IncrementalPotential::roundOff(double energy, const StepMotion& motion) const {
+  return kRoundOff * (std::abs(energy) + motion.all) + bending_round_off_;
 }
 
 double IncrementalPotential::totalMass() const {
@@ -280,19 +264,24 @@ Eigen::Vector2d IncrementalPotential::projectiveWeights() const {
 
 void IncrementalPotential::contactDiagonal(const Positions& x, bool bound, std::vector<double>& diagonal) {
   diagonal.assign(cloth_.vertexCount(), 0.0);
-  forPressed(x, bound, [&](const ContactLanes& touching, int lane, double stiffness) {
-    for (int a = 0; a < 3; ++a) diagonal[touching.corners[a][lane]] += touching.weights[a][lane] * stiffness;
+  forPressed(x, bound, [&](const ContactLanes& contact, int lane, double depth) {
+    const double k = stiffness(contact, lane, depth);
+    forCorners(contact, lane, [&](int v, double weight) { diagonal[v] += weight * k; });
   });
 }
 
 void IncrementalPotential::contactPressure(const Positions& x, std::vector<double>& pressure) {
   pressure.assign(cloth_.vertexCount(), 0.0);
-  if (!touches_) return;
-  contactForces(x);
+  if (contacts_.empty()) return;
+  std::vector<Vec3> force(cloth_.vertexCount(), Vec3::Zero());
+  forPressed(x, false, [&](const ContactLanes& contact, int l, double depth) {
+    const double push = contact.area[l] * ease::contactPressure(depth, options_.contact_stiffness, contact.give[l]);
+    forCorners(contact, l, [&](int v, double weight) { force[v] += weight * push * contact.normalOf(l); });
+  });
   parallelFor(cloth_.vertexCount(), kGrain, [&](int i) {
     double area = 0.0;
     for (int k : triangle_corners_.of(i)) area += triangleArea(x, cloth_.triangles(), k / 3) / 3.0;
-    pressure[i] = area > 0.0 ? gatherContact(i).norm() / area : 0.0;
+    pressure[i] = area > 0.0 ? force[i].norm() / area : 0.0;
   });
 }
 

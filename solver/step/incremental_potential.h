@@ -33,6 +33,12 @@ struct StepOptions {
   double contact_stiffness = 3e6;    // N/m^3
 };
 
+/// Twice the kinetic energy of moving within a step, J.
+struct StepMotion {
+  double all = 0.0;     // from x_n to x
+  double forced = 0.0;  // from x_n + h v_n to x: what forces add
+};
+
 class IncrementalPotential {
  public:
   explicit IncrementalPotential(const Cloth& cloth);
@@ -42,8 +48,8 @@ class IncrementalPotential {
 
   void setContacts(const Contacts& contacts);
 
-  /// Gradient dE/dx, n x 3, N; returns E, J, up to a constant of the step.
-  double gradient(const Positions& x, Positions& gradient);
+  /// Gradient dE/dx, n x 3, N, and `motion` to x; returns E, J, up to a constant of the step.
+  double gradient(const Positions& x, Positions& gradient, StepMotion* motion = nullptr);
 
   /// Second derivative, its elements' negative parts kept or not, N/m; bending apart, since it reaches to the second
   /// ring: addBending adds its product with d.
@@ -62,16 +68,12 @@ class IncrementalPotential {
   /// its share of those around.
   void contactPressure(const Positions& x, std::vector<double>& pressure);
 
-  /// Twice the kinetic energy of moving from x_n to x within the step, J.
-  double motion(const Positions& x) const;
-  /// The same of moving from x_n + h v_n to x: of what forces add to the cloth's motion.
-  double correction(const Positions& x) const;
-  /// The same of a displacement.
+  /// Twice the kinetic energy of a displacement within the step, J.
   double kinetic(const Positions& d) const;
   double totalMass() const;  // kg
 
-  /// A difference of the potential between points near x, where it is `energy`, that means nothing, J.
-  double roundOff(const Positions& x, double energy) const;
+  /// A difference of the potential between points near one where it is `energy` that means nothing, J.
+  double roundOff(double energy, const StepMotion& motion) const;
 
   /// Bounds bending by a diagonal, N/m.
   double bendingBound(int vertex) const { return bending_.rowBound(vertex); }
@@ -88,6 +90,12 @@ class IncrementalPotential {
     Lanes inverse[4];         // D^-1, row by row, 1/m
     Lanes area;               // m^2; 0 beyond the last triangle
     Lanes warp, weft, shear;  // conditions at rest, damping included
+
+    TriangleEdges edgesAt(const Positions& x) const;
+  };
+  struct VertexSums {
+    double energy;  // J
+    StepMotion motion;
   };
 
   bool woven() const { return cloth_.material().membrane == Membrane::woven; }
@@ -97,26 +105,30 @@ class IncrementalPotential {
   TriangleSprings springs(int t) const;
   HingeDamper hingeDamper(int e) const;
   void layOutTriangles();
-  double membraneForces(const Positions& x);
+  double triangleForces(const Positions& x);
+  double blockForces(int block, const TriangleSprings& stiffness, std::span<const ContactLanes> contacts,
+                     const Positions& x);
   double hingeDampingForces(const Positions& x);
-  double contactForces(const Positions& x);
-  /// Calls add(lanes, lane, stiffness) for each sample that is pressed at x, or (bound) could be, one after the other;
-  /// N/m.
+  /// Calls add(contact, lane, depth) for each sample that is pressed at x, or (bound) could be, one after the other; m.
   template <class Add>
   void forPressed(const Positions& x, bool bound, const Add& add) const {
-    for (const std::vector<ContactLanes>& block : contacts_)
-      for (const ContactLanes& lanes : block) {
-        Lanes depth = lanes.depth(x);
-        if (bound) depth = depth.max(lanes.give);
+    for (int g = 0; g < contacts_.groupCount(); ++g)
+      for (const ContactLanes& contact : contacts_.group(g)) {
+        Lanes depth = contact.depth(lanes_[contact.block].edgesAt(x));
+        if (bound) depth = depth.max(contact.give);
         for (int l = 0; l < kLanes; ++l)
-          if (lanes.sample[l] >= 0 && depth[l] != 0.0)
-            add(lanes, l, lanes.area[l] * contactStiffness(depth[l], options_.contact_stiffness, lanes.give[l]));
+          if (contact.sample[l] >= 0 && depth[l] != 0.0) add(contact, l, depth[l]);
       }
   }
-  Vec3 gatherContact(int vertex) const;
-  /// Twice the kinetic energy of moving vertex i by displacement(i) within the step, J.
-  template <class Displacement>
-  double kineticOf(const Displacement& displacement) const;
+  /// Calls add(vertex, weight) for the corners of a sample.
+  template <class Add>
+  void forCorners(const ContactLanes& contact, int lane, const Add& add) const {
+    const double w1 = contact.weight[0][lane], w2 = contact.weight[1][lane], weights[3] = {1.0 - w1 - w2, w1, w2};
+    for (int a = 0; a < 3; ++a) add(lanes_[contact.block].corners[a][lane], weights[a]);
+  }
+  double stiffness(const ContactLanes& contact, int lane, double depth) const {  // N/m
+    return contact.area[lane] * contactStiffness(depth, options_.contact_stiffness, contact.give[lane]);
+  }
 
   const Cloth& cloth_;
   int rest_revision_ = -1;  // of the cloth's, that the bending matrix has
@@ -126,22 +138,21 @@ class IncrementalPotential {
   double damping_stretch_ = 0.0, damping_shear_ = 0.0;  // over h, N/m
   std::vector<Eigen::Vector3d> start_conditions_;       // |f_u|, |f_v|, shear at the start, where damped
   std::vector<double> start_bending_;                   // |b| at the start, where damped
-  bool touches_ = false;
-  std::vector<std::vector<ContactLanes>> contacts_;  // samples that have a plane, block by block; last the second ones
+  ContactLayout contacts_;
 
   BendingMatrix bending_;
   Incidence triangle_corners_, edge_ends_, hinge_corners_;
   // Per element, between the loop over elements and the gathering loop over vertices.
   std::vector<TriangleLanes> lanes_;
   std::vector<Vec3> corner_force_;     // of triangle t, corner a: corner_force_[3 t + a]; dE/dx, N
-  std::vector<Vec3> contact_force_;    // -a_s p n, N: its negative pushes the cloth out
-  std::vector<Mat3> contact_hessian_;  // a_s dp/d depth n nᵀ, N/m
+  std::vector<Mat3> contact_hessian_;  // of the samples: a_s dp/d depth n nᵀ, N/m
   std::vector<char> pressed_;          // whether that is not zero
   std::vector<FrameHessian> frame_hessian_;
   std::vector<Mat3> hinge_hessian_;
   std::vector<Vec3> hinge_force_;
-  double bending_round_off_ = 0.0;  // J
-  std::vector<double> partial_;     // energies, summed in their order
+  double bending_round_off_ = 0.0;       // J
+  std::vector<double> partial_;          // energies, summed in their order
+  std::vector<VertexSums> vertex_sums_;  // of groups of vertices, likewise
 };
 
 }  // namespace ease

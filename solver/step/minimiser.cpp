@@ -17,19 +17,18 @@ constexpr double kForces = 4.0;       // times what forces add to the motion of 
 constexpr double kLeastSpeed = 1e-3;  // m/s: a change of speed within a step that is not worth more digits
 
 // Twice the kinetic energy that errors are compared with, J.
-double stepKinetic(const IncrementalPotential& potential, const Positions& x) {
+double stepKinetic(const IncrementalPotential& potential, const StepMotion& motion) {
   const double least = potential.totalMass() * kLeastSpeed * kLeastSpeed;
-  return std::min(potential.motion(x), kForces * kForces * potential.correction(x)) + least;
+  return std::min(motion.all, kForces * kForces * motion.forced) + least;
 }
 
 }  // namespace
 
 void Point::evaluate(IncrementalPotential& potential, const std::vector<char>& fixed) {
   gradient.resize(x.rows(), 3);
-  energy = potential.gradient(x, gradient);
-  parallelFor(static_cast<int>(x.rows()), kGrain, [&](int i) {
+  energy = potential.gradient(x, gradient, &motion);
+  for (int i = 0; i < x.rows(); ++i)
     if (fixed[i]) gradient.row(i).setZero();
-  });
 }
 
 double residualAcceleration(const IncrementalPotential& potential, const Point& point) {
@@ -40,16 +39,16 @@ double residualAcceleration(const IncrementalPotential& potential, const Point& 
 }
 
 double relativeDecrement(const IncrementalPotential& potential, const Point& point, double slope) {
-  return std::sqrt(std::max(0.0, -slope) / stepKinetic(potential, point.x));
+  return std::sqrt(std::max(0.0, -slope) / stepKinetic(potential, point.motion));
 }
 
 double relativeLength(const IncrementalPotential& potential, const Point& point, const Positions& direction) {
-  return std::sqrt(potential.kinetic(direction) / stepKinetic(potential, point.x));
+  return std::sqrt(potential.kinetic(direction) / stepKinetic(potential, point.motion));
 }
 
 int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
                 const Positions& direction, double slope, Point& next) {
-  const double round_off = potential.roundOff(point.x, point.energy);
+  const double round_off = potential.roundOff(point.energy, point.motion);
   double scale = 1.0;
   for (int halvings = 0; halvings <= kMostHalvings; ++halvings, scale *= 0.5) {
     next.x.resize(point.x.rows(), 3);

@@ -34,6 +34,7 @@ struct MinimiserSummary {
 struct Point {
   Positions x, gradient;
   double energy = 0.0;
+  StepMotion motion;
   void evaluate(IncrementalPotential& potential, const std::vector<char>& fixed);
 };
 

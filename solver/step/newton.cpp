@@ -54,7 +54,7 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     const double slope = dot(point.gradient, direction_), length = relativeLength(potential, point, direction_);
     const int halvings = searchAlong(potential, fixed, point, direction_, slope, next_);
     if (halvings < 0) {
-      const bool lost = -slope <= potential.roundOff(point.x, point.energy);  // the promised decrease, in rounding
+      const bool lost = -slope <= potential.roundOff(point.energy, point.motion);  // the promised decrease, in rounding
       if (!lost) throw ComputationError("no decrease of the potential along the step");
       break;
     }

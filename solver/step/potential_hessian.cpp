@@ -32,11 +32,11 @@ void IncrementalPotential::hessian(const Positions& x, Curvature kind, BlockMatr
       hinge_hessian_[e] = hingeDampingHessian(hingeVector(cloth_.hinges()[e], x), hingeDamper(e), kind);
     });
   std::fill(pressed_.begin(), pressed_.end(), 0);
-  forPressed(x, false, [&](const ContactLanes& touching, int lane, double stiffness) {
-    const int s = touching.sample[lane];
-    const Vec3 normal(touching.normal[0][lane], touching.normal[1][lane], touching.normal[2][lane]);
+  forPressed(x, false, [&](const ContactLanes& contact, int lane, double depth) {
+    const int s = contact.sample[lane];
+    const Vec3 normal = contact.normalOf(lane);
     if (!pressed_[s]) contact_hessian_[s].setZero();
-    contact_hessian_[s] += stiffness * normal * normal.transpose();
+    contact_hessian_[s] += stiffness(contact, lane, depth) * normal * normal.transpose();
     pressed_[s] = 1;
   });
   const auto addContact = [&](int s, double weight, Mat3& block) {

@@ -82,7 +82,7 @@ TEST_CASE("Newton's method stops at the error or at the residual acceleration as
   REQUIRE(newton.minimise(s.potential, s.fixed, {60, 0.0, 1e-6}, s.point).converged);
   CHECK(residualAcceleration(s.potential, s.point) <= 1e-6);
   const Positions reference = s.point.x;
-  const double way = std::sqrt(s.potential.motion(reference));
+  const double way = std::sqrt(s.potential.kinetic(reference - s.state.positions));
   int before = 0;
   for (const double error : {0.1, 1e-2, 1e-3}) {
     s.restart();

@@ -30,6 +30,7 @@ std::vector<ToldStep> toldSteps(const Material& material, double h, const Method
     const StepSummary summary = step.step(state, step_options, pins, kNoContacts);
     Point minimum;
     minimum.x = exact.positions;
+    minimum.evaluate(newton.potential(), std::vector<char>(cloth.vertexCount(), 0));
     told.push_back({summary, relativeLength(newton.potential(), minimum, state.positions - exact.positions)});
     state = exact;
   }
