@@ -49,7 +49,7 @@ Real length(const Column<Real>& a) {
 
 /// a += s b
 template <class Real>
-void addScaled(Column<Real>& a, const Real& s, const Column<Real>& b) {
+[[gnu::always_inline]] inline void addScaled(Column<Real>& a, const Real& s, const Column<Real>& b) {
   a.x += s * b.x;
   a.y += s * b.y;
   a.z += s * b.z;

@@ -183,7 +183,7 @@ double IncrementalPotential::blockForces(int block, const TriangleSprings& stiff
   Column<Lanes> f1 = force(0), f2 = force(1), all = none;
   for (const ContactLanes& contact : contacts) {
     const Lanes depth = contact.depth(host);
-    if (!(depth > 0.0).any()) continue;
+    if (depth.maxCoeff() == 0.0) continue;
     energy += contact.area * contactEnergy(depth, options_.contact_stiffness, contact.give);
     const Lanes push = -contact.area * ease::contactPressure(depth, options_.contact_stiffness, contact.give);
     addScaled(all, push, contact.normal);
@@ -191,10 +191,11 @@ double IncrementalPotential::blockForces(int block, const TriangleSprings& stiff
     addScaled(f2, Lanes(push * contact.weight[1]), contact.normal);
   }
   Vec3* out = corner_force_.data() + static_cast<size_t>(3 * kLanes) * block;
+  const Column<Lanes> f0{all.x - f1.x - f2.x, all.y - f1.y - f2.y, all.z - f1.z - f2.z};
   for (int l = 0; l < kLanes; ++l) {
+    out[3 * l] = Vec3(f0.x[l], f0.y[l], f0.z[l]);
     out[3 * l + 1] = Vec3(f1.x[l], f1.y[l], f1.z[l]);
     out[3 * l + 2] = Vec3(f2.x[l], f2.y[l], f2.z[l]);
-    out[3 * l] = Vec3(all.x[l], all.y[l], all.z[l]) - out[3 * l + 1] - out[3 * l + 2];
   }
   return energy.sum();
 }
