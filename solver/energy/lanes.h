@@ -47,7 +47,7 @@ Real length(const Column<Real>& a) {
   return sqrt(dot(a, a));
 }
 
-/// a += s b
+/// a += s b.  Left to itself, the compiler calls it, with eight lanes in memory: 4 % of a time step.
 template <class Real>
 [[gnu::always_inline]] inline void addScaled(Column<Real>& a, const Real& s, const Column<Real>& b) {
   a.x += s * b.x;

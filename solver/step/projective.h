@@ -12,6 +12,10 @@
 // A is factored once and again when the rest shape, the time step, damping or the pins change, and when the stiffness
 // of contact has drifted away from what A has on its diagonal.  pd diverges where A has less than there is: there A has
 // the stiffness of every sample that can be met, as deep as it may give way.  pd-lbfgs needs less, and what it finds.
+//
+// Tried: L-BFGS on a factor of Newton's matrix instead.  On the scanned shirt of 4,271 vertices it takes 2 to 5
+// iterations for 11 while the factor is of the same step, which costs more than they save; a step later 9 to 14, with
+// halvings: cloth that was compressed then is soft in it.
 #pragma once
 
 #include <vector>
