@@ -3,6 +3,7 @@
 //   phases [--quick] [options of Google Benchmark]
 //
 //   local      energy and gradient of a step (the local step of projective dynamics, the residual of Newton)
+//   membrane   the same without bending
 //   hessian    assembly of Newton's matrix
 //   product    Newton's matrix times a vector, bending included: one conjugate gradient iteration, its solve apart
 //   factor1    Cholesky factor of the projective system, n x n;     solve1   its solves, 3 right-hand sides
@@ -73,6 +74,21 @@ void measureLocal(benchmark::State& state, int side) {
   const double bytes = kPerTriangle * scene.sheet->cloth.triangleCount() + scene.bendingBytes();
   bound(state, bytes / readBandwidth(static_cast<size_t>(bytes)));
   state.counters["triangles"] = scene.sheet->cloth.triangleCount();
+}
+
+void measureMembrane(benchmark::State& state, int side) {
+  const Sheet& sheet = *sceneOf(side).sheet;
+  Material material = sheet.cloth.material();
+  material.bending = 0.0;
+  const Cloth cloth({sheet.cloth.restPositions(), sheet.cloth.triangles()}, -Vec3::UnitY(), material);
+  IncrementalPotential potential(cloth);
+  potential.begin(sheet.start, sceneOf(side).potential.options());
+  Point point;
+  point.x = sheet.start.positions;
+  for (auto _ : state) point.evaluate(potential, sceneOf(side).fixed);
+  const double bytes = kPerTriangle * cloth.triangleCount();
+  bound(state, bytes / readBandwidth(static_cast<size_t>(bytes)));
+  state.counters["triangles"] = cloth.triangleCount();
 }
 
 void measureHessian(benchmark::State& state, int side) {
@@ -197,6 +213,7 @@ void registerAll(bool quick) {
     if (quick && side > 100) continue;
     const int n = side * side;
     add("local", n, quick, [side](auto& state) { measureLocal(state, side); });
+    add("membrane", n, quick, [side](auto& state) { measureMembrane(state, side); });
     add("hessian", n, quick, [side](auto& state) { measureHessian(state, side); });
     add("product", n, quick, [side](auto& state) { measureProduct(state, side); });
     add("factor1", n, quick, [side](auto& state) { measureFactor(state, side, 1); });
