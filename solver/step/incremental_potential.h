@@ -112,9 +112,13 @@ class IncrementalPotential {
   /// Calls add(contact, lane, depth) for each sample that is pressed at x, or (bound) could be, one after the other; m.
   template <class Add>
   void forPressed(const Positions& x, bool bound, const Add& add) const {
+    int block = 0;
+    TriangleEdges hosts = lanes_[block].edgesAt(x);
     for (int g = 0; g < contacts_.groupCount(); ++g)
       for (const ContactLanes& contact : contacts_.group(g)) {
-        Lanes depth = contact.depth(lanes_[contact.block].edgesAt(x));
+        if (contact.block != block) hosts = lanes_[contact.block].edgesAt(x);
+        block = contact.block;
+        Lanes depth = contact.depth(hosts);
         if (bound) depth = depth.max(contact.give);
         for (int l = 0; l < kLanes; ++l)
           if (contact.sample[l] >= 0 && depth[l] != 0.0) add(contact, l, depth[l]);

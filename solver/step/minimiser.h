@@ -30,7 +30,8 @@ struct MinimiserSummary {
   bool converged = false;
 };
 
-/// Positions with the potential and its gradient there; pinned vertices have gradient zero.
+/// Positions with the potential, its gradient and how far the step moves the cloth there; pinned vertices have gradient
+/// zero.
 struct Point {
   Positions x, gradient;
   double energy = 0.0;
