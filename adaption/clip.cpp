@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 

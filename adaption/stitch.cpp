@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "adaption/stretch_measure.h"
-#include "solver/linear/parallel.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 

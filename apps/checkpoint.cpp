@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "apps/fingerprint.h"
-#include "solver/mesh/error.h"
-#include "solver/mesh/whole_file.h"
+#include "solver/base/error.h"
+#include "solver/base/whole_file.h"
 
 namespace ease {
 

@@ -15,7 +15,7 @@
 #include "apps/scene.h"
 #include "apps/timeline.h"
 #include "apps/words.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "solver/mesh/topology.h"
 
 namespace ease {

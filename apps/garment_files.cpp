@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "garment/pieces.h"
-#include "solver/mesh/mesh_io.h"
-#include "solver/mesh/whole_file.h"
+#include "solver/base/whole_file.h"
+#include "solver/io/mesh_io.h"
 #include "viz/picture.h"
 #include "viz/vtp.h"
 

@@ -15,8 +15,8 @@
 #include "apps/result_directory.h"
 #include "apps/resume.h"
 #include "apps/run.h"
-#include "solver/mesh/error.h"
-#include "solver/mesh/mesh_io.h"
+#include "solver/base/error.h"
+#include "solver/io/mesh_io.h"
 #include "viz/picture.h"
 
 namespace ease {

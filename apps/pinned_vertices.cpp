@@ -5,7 +5,8 @@
 #include <set>
 
 #include "apps/words.h"
-#include "solver/mesh/error.h"
+#include "garment/named_loop.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

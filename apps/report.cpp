@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "solver/mesh/whole_file.h"
+#include "solver/base/whole_file.h"
 
 namespace ease {
 

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/resume.h"
-#include "solver/mesh/error.h"
-#include "solver/mesh/whole_file.h"
+#include "solver/base/error.h"
+#include "solver/base/whole_file.h"
 #include "viz/series.h"
 
 namespace ease {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/fingerprint.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

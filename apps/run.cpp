@@ -11,10 +11,10 @@
 #include "adaption/stitch.h"
 #include "apps/frames.h"
 #include "apps/garment_pins.h"
-#include "apps/stopwatch.h"
 #include "garment/paint.h"
-#include "solver/linear/parallel.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
+#include "solver/base/parallel.h"
+#include "solver/base/stopwatch.h"
 
 namespace ease {
 

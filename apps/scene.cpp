@@ -7,7 +7,7 @@
 #include "apps/scene_tools.h"
 #include "apps/toml_table.h"
 #include "apps/words.h"
-#include "collision/mannequin.h"
+#include "collision/body/mannequin.h"
 
 namespace ease {
 

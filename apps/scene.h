@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "garment/authoring.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "solver/mesh/numbering.h"
 #include "solver/model/material.h"
 

@@ -9,14 +9,14 @@
 
 #include "apps/pinned_vertices.h"
 #include "apps/resume.h"
-#include "collision/mannequin.h"
+#include "collision/body/mannequin.h"
 #include "collision/triangle_tree.h"
 #include "garment/builtin_garment.h"
 #include "garment/comfort.h"
 #include "garment/paint.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
+#include "solver/io/mesh_io.h"
 #include "solver/mesh/mesh_checks.h"
-#include "solver/mesh/mesh_io.h"
 #include "solver/mesh/topology.h"
 
 namespace ease {

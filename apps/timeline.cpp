@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "apps/words.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

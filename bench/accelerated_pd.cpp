@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/base/error.h"
+#include "solver/base/parallel.h"
 #include "solver/linear/dot.h"
-#include "solver/linear/parallel.h"
-#include "solver/mesh/error.h"
 
 namespace ease {
 

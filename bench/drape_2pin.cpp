@@ -16,7 +16,7 @@
 #include "adaption/stretch_measure.h"
 #include "bench/program.h"
 #include "bench/step_curve.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 using namespace ease;
 

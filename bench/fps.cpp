@@ -12,7 +12,8 @@
 #include "bench/program.h"
 #include "bench/settings.h"
 #include "bench/timed_job.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
+#include "tests/places.h"
 
 using namespace ease;
 
@@ -78,7 +79,7 @@ void registerScene(const std::string& body, Scene scene, const std::string& meth
 }
 
 void registerAll(bool quick, const std::filesystem::path& data) {
-  const std::filesystem::path source = EASE_SOURCE_DIR;
+  const std::filesystem::path source = kSourceDirectory;
   const JobLimits limits = quick ? JobLimits{20, 3, 3.0} : JobLimits{};
   std::vector<std::string> methods = allMethods();
   if (quick) methods = {"bw1", "auto"};
@@ -104,6 +105,6 @@ void registerAll(bool quick, const std::filesystem::path& data) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string data = takeOption(argc, argv, "data", EASE_SHARED_DATA);
+  const std::string data = takeOption(argc, argv, "data", kSharedData);
   return runBenchmarks(argc, argv, "fps", [&](bool quick) { registerAll(quick, data); });
 }

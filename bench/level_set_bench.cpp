@@ -15,9 +15,10 @@
 
 #include "bench/program.h"
 #include "collision/level_set.h"
-#include "solver/mesh/mesh_io.h"
+#include "solver/io/mesh_io.h"
 #include "solver/mesh/topology.h"
 #include "tests/collision/bodies.h"
+#include "tests/places.h"
 
 namespace {
 
@@ -145,7 +146,7 @@ bool checkErrors(const Subject& subject, double voxel) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const std::filesystem::path data = takeOption(argc, argv, "data", EASE_SHARED_DATA);
+  const std::filesystem::path data = takeOption(argc, argv, "data", kSharedData);
   const double voxel = std::stod(takeOption(argc, argv, "voxel", "0.01"));
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

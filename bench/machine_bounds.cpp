@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 

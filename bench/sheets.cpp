@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/base/error.h"
 #include "solver/linear/gradient_system.h"
-#include "solver/mesh/error.h"
 #include "tests/sheet.h"
 
 namespace ease {

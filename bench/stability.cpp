@@ -21,7 +21,7 @@
 #include "bench/program.h"
 #include "bench/settings.h"
 #include "bench/step_error.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 using namespace ease;
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "bench/program.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

@@ -9,8 +9,8 @@
 #include <cstring>
 
 #include "apps/run.h"
-#include "solver/mesh/error.h"
-#include "solver/mesh/mesh_io.h"
+#include "solver/base/error.h"
+#include "solver/io/mesh_io.h"
 
 namespace ease {
 

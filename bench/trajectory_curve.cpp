@@ -9,7 +9,7 @@
 
 #include "bench/program.h"
 #include "bench/step_error.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 

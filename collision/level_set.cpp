@@ -11,8 +11,8 @@
 #include "collision/triangle_tree_data.h"
 #include "collision/voxel_blend.h"
 #include "collision/voxel_marks.h"
-#include "solver/linear/parallel.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 

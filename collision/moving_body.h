@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "collision/body/pose_interpolation.h"
 #include "collision/contacts.h"
-#include "collision/pose_interpolation.h"
 
 namespace ease {
 

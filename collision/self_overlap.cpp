@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "collision/triangle_tree_data.h"
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 

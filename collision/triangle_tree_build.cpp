@@ -2,7 +2,7 @@
 #include <numeric>
 
 #include "collision/triangle_tree_data.h"
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 

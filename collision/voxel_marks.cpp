@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 

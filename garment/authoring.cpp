@@ -10,8 +10,8 @@
 #include "garment/comfort.h"
 #include "garment/region.h"
 #include "garment/remesh.h"
-#include "solver/linear/parallel.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 namespace {

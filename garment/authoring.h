@@ -7,7 +7,7 @@
 #include "garment/looped_mesh.h"
 #include "garment/mesh_quality.h"
 #include "garment/seam.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

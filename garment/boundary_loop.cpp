@@ -10,9 +10,9 @@
 
 #include "garment/nearness.h"
 #include "garment/surface_path.h"
+#include "solver/base/error.h"
+#include "solver/base/parallel.h"
 #include "solver/linear/gradient_system.h"
-#include "solver/linear/parallel.h"
-#include "solver/mesh/error.h"
 
 namespace ease {
 namespace {

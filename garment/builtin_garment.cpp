@@ -6,12 +6,12 @@
 #include <cmath>
 #include <vector>
 
-#include "collision/iso_surface.h"
-#include "collision/mannequin_shape.h"
+#include "collision/body/iso_surface.h"
+#include "collision/body/mannequin_shape.h"
 #include "garment/garment_fit.h"
 #include "garment/plane_cut.h"
 #include "garment/remesh.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "collision/contacts.h"
 #include "collision/level_set.h"
-#include "solver/linear/parallel.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
+#include "solver/base/parallel.h"
 #include "solver/mesh/topology.h"
 
 namespace ease {

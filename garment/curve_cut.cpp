@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 namespace {

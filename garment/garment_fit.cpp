@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/linear/parallel.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
+#include "solver/base/parallel.h"
 #include "solver/mesh/topology.h"
 
 namespace ease {

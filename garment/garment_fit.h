@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "collision/surface_relaxation.h"
+#include "collision/body/surface_relaxation.h"
 #include "garment/plane_cut.h"
 
 namespace ease {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "garment/edge_curve.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "solver/mesh/topology.h"
 
 namespace ease {

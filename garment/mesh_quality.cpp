@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "collision/contacts.h"
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 #include "solver/mesh/topology.h"
 
 namespace ease {

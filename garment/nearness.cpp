@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "collision/point_triangle.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

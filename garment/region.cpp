@@ -10,7 +10,7 @@
 
 #include "collision/triangle_tree.h"
 #include "garment/nearness.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 namespace {

@@ -14,7 +14,7 @@
 #include <limits>
 #include <vector>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "solver/mesh/triangle_mesh.h"
 
 namespace ease {

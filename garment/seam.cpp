@@ -11,7 +11,7 @@
 #include "garment/nearness.h"
 #include "garment/seam_straightening.h"
 #include "garment/surface_path.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "collision/triangle_tree.h"
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 namespace {

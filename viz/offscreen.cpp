@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

@@ -23,8 +23,8 @@
 #include <exception>
 #include <string_view>
 
-#include "solver/mesh/error.h"
-#include "solver/mesh/whole_file.h"
+#include "solver/base/error.h"
+#include "solver/base/whole_file.h"
 #include "viz/color_scale.h"
 #include "viz/offscreen.h"
 #include "viz/overlay.h"

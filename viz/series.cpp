@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "solver/mesh/error.h"
-#include "solver/mesh/whole_file.h"
+#include "solver/base/error.h"
+#include "solver/base/whole_file.h"
 
 namespace ease {
 

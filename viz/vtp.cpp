@@ -11,8 +11,8 @@
 
 #include <algorithm>
 
-#include "solver/mesh/error.h"
-#include "solver/mesh/whole_file.h"
+#include "solver/base/error.h"
+#include "solver/base/whole_file.h"
 #include "viz/poly_data.h"
 
 namespace ease {

@@ -1,7 +1,7 @@
 // Inner products of n x 3 arrays, the same to the last bit for any number of threads.
 #pragma once
 
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 #include "solver/mesh/triangle_mesh.h"
 
 namespace ease {

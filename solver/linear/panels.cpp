@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 

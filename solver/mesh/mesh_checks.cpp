@@ -1,11 +1,10 @@
 #include "solver/mesh/mesh_checks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <vector>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
+#include "solver/base/joined.h"
 
 namespace ease {
 namespace {
@@ -27,7 +26,7 @@ std::vector<char> verticesUsed(const TriangleMesh& mesh) {
 }
 
 std::string describe(const Triangles& triangles, int t) {
-  return fmt::format("({}, {}, {})", triangles(t, 0), triangles(t, 1), triangles(t, 2));
+  return joined("(", triangles(t, 0), ", ", triangles(t, 1), ", ", triangles(t, 2), ")");
 }
 
 /// The same vertices in the same sense of rotation, whichever comes first.
@@ -73,7 +72,7 @@ bool correspondsOneToOne(const TriangleMesh& first, const TriangleMesh& other) {
 void checkSameNumber(const char* what, Eigen::Index first, const std::string& first_name, Eigen::Index other,
                      const std::string& other_name, const char* advice) {
   if (first == other) return;
-  throw InputError(fmt::format("{}: has {} {}, but {} has {}{}", other_name, other, what, first_name, first, advice));
+  throw InputError(joined(other_name, ": has ", other, " ", what, ", but ", first_name, " has ", first, advice));
 }
 
 }  // namespace
@@ -81,8 +80,8 @@ void checkSameNumber(const char* what, Eigen::Index first, const std::string& fi
 void checkFinite(const Positions& positions, const std::string& name) {
   for (int i = 0; i < positions.rows(); ++i) {
     if (positions.row(i).allFinite()) continue;
-    throw InputError(fmt::format("{}: vertex {} is ({}, {}, {}); expected finite coordinates", name, i, positions(i, 0),
-                                 positions(i, 1), positions(i, 2)));
+    throw InputError(joined(name, ": vertex ", i, " is (", positions(i, 0), ", ", positions(i, 1), ", ",
+                            positions(i, 2), "); expected finite coordinates"));
   }
 }
 
@@ -92,14 +91,13 @@ void checkGeometry(const TriangleMesh& mesh, const std::string& name) {
   for (int t = 0; t < mesh.triangles.rows(); ++t) {
     const auto v = mesh.triangles.row(t);
     if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {
-      throw InputError(fmt::format("{}: triangle {} has a vertex twice: {}", name, t, describe(mesh.triangles, t)));
+      throw InputError(joined(name, ": triangle ", t, " has a vertex twice: ", describe(mesh.triangles, t)));
     }
     // Not "area < least": all vertices in one point make both sides zero.
     const double area = triangleArea(mesh.positions, mesh.triangles, t);
     if (!(area > least_area)) {
-      throw InputError(
-          fmt::format("{}: triangle {} of vertices {} is degenerate: area {:.3g} m^2, expected above {:.3g}", name, t,
-                      describe(mesh.triangles, t), area, least_area));
+      throw InputError(joined(name, ": triangle ", t, " of vertices ", describe(mesh.triangles, t),
+                              " is degenerate: area ", area, " m^2, expected above ", least_area));
     }
   }
 }
@@ -108,7 +106,7 @@ void checkVerticesUsed(const TriangleMesh& mesh, const std::string& name) {
   const std::vector<char> used = verticesUsed(mesh);
   const auto unused = std::ranges::find(used, 0);
   if (unused != used.end()) {
-    throw InputError(fmt::format("{}: vertex {} belongs to no triangle", name, unused - used.begin()));
+    throw InputError(joined(name, ": vertex ", unused - used.begin(), " belongs to no triangle"));
   }
 }
 
@@ -121,8 +119,8 @@ void checkSameTriangles(const TriangleMesh& first, const std::string& first_name
   checkSameNumber("triangles", first.triangles.rows(), first_name, other.triangles.rows(), other_name, advice);
   for (int t = 0; t < first.triangles.rows(); ++t) {
     if (isSameTriangle(first.triangles, other.triangles, t)) continue;
-    throw InputError(fmt::format("{}: triangle {} has vertices {}, but in {} it has {}{}", other_name, t,
-                                 describe(other.triangles, t), first_name, describe(first.triangles, t), advice));
+    throw InputError(joined(other_name, ": triangle ", t, " has vertices ", describe(other.triangles, t), ", but in ",
+                            first_name, " it has ", describe(first.triangles, t), advice));
   }
 }
 
@@ -132,18 +130,16 @@ TriangleMesh matchByTriangles(const TriangleMesh& first, const std::string& firs
   const Correspondence match = correspondByOrder(first, other);
   if (match.failing_triangle >= 0) {
     const int t = match.failing_triangle;
-    throw InputError(fmt::format(
-        "{}: does not match {} by the order of the triangles: at triangle {}, {} here and {} there, one vertex would "
-        "have to be two",
-        other_name, first_name, t, describe(other.triangles, t), describe(first.triangles, t)));
+    throw InputError(joined(other_name, ": does not match ", first_name, " by the order of the triangles: at triangle ",
+                            t, ", ", describe(other.triangles, t), " here and ", describe(first.triangles, t),
+                            " there, one vertex would have to be two"));
   }
   TriangleMesh renumbered{Positions(first.positions.rows(), 3), first.triangles};
   for (int i = 0; i < first.positions.rows(); ++i) {
     const int j = match.other_of_first[i];
     if (j < 0) {
-      throw InputError(
-          fmt::format("{}: vertex {} belongs to no triangle, so that {} cannot be matched to it by its triangles",
-                      first_name, i, other_name));
+      throw InputError(joined(first_name, ": vertex ", i, " belongs to no triangle, so that ", other_name,
+                              " cannot be matched to it by its triangles"));
     }
     renumbered.positions.row(i) = other.positions.row(j);
   }

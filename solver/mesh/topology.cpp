@@ -1,18 +1,14 @@
 #include "solver/mesh/topology.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <utility>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
+#include "solver/base/joined.h"
 
 namespace ease {
 namespace {
-
-/// A loop named by where it is must lead the next one by this share of the mesh's diagonal.
-constexpr double kLeastLead = 0.01;
 
 /// One side of a triangle, from vertex `from` to `to` in the triangle's own order, opposite to its corner `corner`.
 struct Side {
@@ -41,18 +37,18 @@ std::vector<Side> sortedSides(const Triangles& triangles) {
 void checkManifold(const Side* sides, std::size_t count, const std::string& name) {
   const Side& first = sides[0];
   if (first.from == first.to) {
-    throw InputError(fmt::format("{}: triangle {} has vertex {} twice", name, first.triangle, first.from));
+    throw InputError(joined(name, ": triangle ", first.triangle, " has vertex ", first.from, " twice"));
   }
   if (count > 2) {
-    std::string triangles = fmt::format("{}", first.triangle);
-    for (std::size_t s = 1; s < count; ++s) triangles += fmt::format(", {}", sides[s].triangle);
-    throw InputError(fmt::format("{}: the edge of vertices {} and {} has {} triangles ({}); expected one or two", name,
-                                 first.low(), first.high(), count, triangles));
+    std::string triangles = joined(first.triangle);
+    for (std::size_t s = 1; s < count; ++s) triangles += joined(", ", sides[s].triangle);
+    throw InputError(joined(name, ": the edge of vertices ", first.low(), " and ", first.high(), " has ", count,
+                            " triangles (", triangles, "); expected one or two"));
   }
   if (count == 2 && first.from == sides[1].from) {
-    throw InputError(
-        fmt::format("{}: triangles {} and {} are oriented against each other along the edge of vertices {} and {}",
-                    name, first.triangle, sides[1].triangle, first.low(), first.high()));
+    throw InputError(joined(name, ": triangles ", first.triangle, " and ", sides[1].triangle,
+                            " are oriented against each other along the edge of vertices ", first.low(), " and ",
+                            first.high()));
   }
 }
 
@@ -111,7 +107,7 @@ void checkFans(const TriangleMesh& mesh, const Topology& topology, const std::st
     int reached = trianglesAlong(mesh.triangles, topology, vertex, t, 1, closes);
     if (!closes) reached += trianglesAlong(mesh.triangles, topology, vertex, t, 2, closes) - 1;
     if (reached != triangle_count[vertex]) {
-      throw InputError(fmt::format("{}: vertex {} joins two fans of triangles that share no edge there", name, vertex));
+      throw InputError(joined(name, ": vertex ", vertex, " joins two fans of triangles that share no edge there"));
     }
   }
 }
@@ -152,23 +148,6 @@ std::vector<std::vector<int>> followBoundary(const TriangleMesh& mesh, const Top
   return sorted;
 }
 
-Vec3 meanOf(const Positions& positions, const std::vector<int>& loop) {
-  Vec3 sum = Vec3::Zero();
-  for (int vertex : loop) sum += positions.row(vertex).transpose();
-  return sum / static_cast<double>(loop.size());
-}
-
-std::string describeLoops(const Topology& topology, const Positions& positions) {
-  if (topology.boundary_loops.empty()) return "the mesh has no boundary loop";
-  std::string text = "the boundary loops are";
-  for (std::size_t l = 0; l < topology.boundary_loops.size(); ++l) {
-    const Vec3 mean = meanOf(positions, topology.boundary_loops[l]);
-    text += fmt::format("{} {} ({} vertices about ({:.3f}, {:.3f}, {:.3f}))", l == 0 ? "" : ",", l,
-                        topology.boundary_loops[l].size(), mean.x(), mean.y(), mean.z());
-  }
-  return text;
-}
-
 }  // namespace
 
 Topology buildTopology(const TriangleMesh& mesh, const std::string& name) {
@@ -177,33 +156,6 @@ Topology buildTopology(const TriangleMesh& mesh, const std::string& name) {
   checkFans(mesh, topology, name);
   topology.boundary_loops = followBoundary(mesh, topology);
   return topology;
-}
-
-const std::vector<int>& findLoop(const Topology& topology, const Positions& positions, const std::string& where) {
-  const std::vector<std::vector<int>>& loops = topology.boundary_loops;
-  for (std::size_t l = 0; l < loops.size(); ++l) {
-    if (where == fmt::format("{}", l)) return loops[l];
-  }
-  Vec3 direction = Vec3::Zero();
-  if (where == "top" || where == "neck") direction = Vec3::UnitY();
-  if (where == "bottom" || where == "hem") direction = -Vec3::UnitY();
-  if (where == "left") direction = Vec3::UnitX();
-  if (where == "right") direction = -Vec3::UnitX();
-  if (direction.isZero() || loops.empty()) {
-    throw InputError(fmt::format(
-        "no boundary loop \"{}\": expected \"top\" or \"neck\", \"bottom\" or \"hem\", \"left\", \"right\", or an "
-        "index; {}",
-        where, describeLoops(topology, positions)));
-  }
-  std::vector<std::pair<double, std::size_t>> reach;  // along the direction, m; furthest first
-  for (std::size_t l = 0; l < loops.size(); ++l) reach.emplace_back(-meanOf(positions, loops[l]).dot(direction), l);
-  std::ranges::sort(reach);
-  const double size = (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
-  if (loops.size() > 1 && reach[1].first - reach[0].first < kLeastLead * size) {
-    throw InputError(fmt::format("boundary loop \"{}\" is ambiguous: loops {} and {} lie equally far; {}", where,
-                                 reach[0].second, reach[1].second, describeLoops(topology, positions)));
-  }
-  return loops[reach[0].second];
 }
 
 }  // namespace ease

@@ -35,9 +35,4 @@ struct Topology {
 /// allowed.
 Topology buildTopology(const TriangleMesh& mesh, const std::string& name);
 
-/// The loop that lies furthest along a direction by the mean of its vertices ("top" +y, "bottom" -y, "left" +x of the
-/// wearer who faces +z, "right" -x), or by its index ("0", "1", ...).  Throws InputError naming the loops that exist,
-/// also where two lie equally far, within 1 % of the mesh's diagonal.
-const std::vector<int>& findLoop(const Topology& topology, const Positions& positions, const std::string& where);
-
 }  // namespace ease

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 

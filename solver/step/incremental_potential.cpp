@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 
 namespace ease {
 

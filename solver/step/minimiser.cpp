@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/base/parallel.h"
 #include "solver/linear/dot.h"
-#include "solver/linear/parallel.h"
 
 namespace ease {
 

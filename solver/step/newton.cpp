@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/base/error.h"
 #include "solver/linear/dot.h"
-#include "solver/mesh/error.h"
 
 namespace ease {
 

@@ -1,5 +1,5 @@
 // The second derivative of the incremental potential.
-#include "solver/linear/parallel.h"
+#include "solver/base/parallel.h"
 #include "solver/step/incremental_potential.h"
 
 namespace ease {

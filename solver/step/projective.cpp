@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 namespace ease {
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/apps/temporary_directory.h"
 #include "tests/sheet.h"
 

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "solver/mesh/mesh_io.h"
+#include "solver/io/mesh_io.h"
 #include "tests/apps/temporary_directory.h"
 #include "tests/sheet.h"
 

@@ -4,7 +4,7 @@
 #include <sys/resource.h>
 
 #include "apps/checkpoint.h"
-#include "solver/mesh/mesh_io.h"
+#include "solver/io/mesh_io.h"
 #include "tests/apps/command.h"
 #include "tests/apps/result_check.h"
 #include "tests/apps/started.h"

@@ -18,8 +18,8 @@
 #include <stdexcept>
 
 #include "apps/resume.h"
-#include "solver/mesh/mesh_io.h"
-#include "solver/mesh/whole_file.h"
+#include "solver/base/whole_file.h"
+#include "solver/io/mesh_io.h"
 
 namespace ease {
 

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/apps/temporary_directory.h"
 
 using namespace ease;

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "solver/mesh/mesh_io.h"
+#include "solver/io/mesh_io.h"
 #include "tests/apps/command.h"
 
 using namespace ease;

@@ -4,8 +4,9 @@
 #include <sstream>
 
 #include "apps/scene.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/apps/temporary_directory.h"
+#include "tests/places.h"
 
 using namespace ease;
 using Catch::Contains;
@@ -207,12 +208,12 @@ TEST_CASE("a pose that returns is the same pose") {
 }
 
 TEST_CASE("scans and shirts are read without complaint") {
-  if (!std::filesystem::exists(EASE_SHARED_DATA)) {
-    WARN("skipped: no scans at " EASE_SHARED_DATA);
+  if (!std::filesystem::exists(kSharedData)) {
+    WARN("skipped: no scans at " << kSharedData);
     return;
   }
   for (const char* name : {"shirt_1100", "shirt_10000"}) {
-    const std::filesystem::path scans = std::filesystem::path(EASE_SOURCE_DIR) / "tests/apps/scans";
+    const std::filesystem::path scans = std::filesystem::path(kSourceDirectory) / "tests/apps/scans";
     const SceneInput input = readSceneInput(readScene(scans / (std::string(name) + ".toml")));
     CHECK(input.poses.size() == 3);
     CHECK(input.body_triangles.rows() == 55152);
@@ -221,17 +222,17 @@ TEST_CASE("scans and shirts are read without complaint") {
 }
 
 TEST_CASE("a scan numbered otherwise is refused, or matched to the very same positions") {
-  if (!std::filesystem::exists(EASE_SHARED_DATA)) {
-    WARN("skipped: no scans at " EASE_SHARED_DATA);
+  if (!std::filesystem::exists(kSharedData)) {
+    WARN("skipped: no scans at " << kSharedData);
     return;
   }
   const TemporaryDirectory directory;
   const auto read = [&](const std::string& match) {
-    const std::string avatars = EASE_SHARED_DATA "/avatars/";
+    const std::string avatars = std::string(kSharedData) + "/avatars/";
     return readSceneInput(readScene(
         directory.write("scene.toml", "[body]\nposes = ['" + avatars + "slim_t_pose.ply', '" + avatars +
-                                          "slim_t_pose_relabelled.ply']\nmatch = '" + match +
-                                          "'\n[garment]\nmesh = '" EASE_SHARED_DATA "/garments/shirt_1100.obj'\n")));
+                                          "slim_t_pose_relabelled.ply']\nmatch = '" + match + "'\n[garment]\nmesh = '" +
+                                          kSharedData + "/garments/shirt_1100.obj'\n")));
   };
   CHECK_THAT(messageOf<InputError>([&] { read("index"); }),
              Contains("slim_t_pose_relabelled.ply") && Contains("match = \"triangles\""));
@@ -240,7 +241,7 @@ TEST_CASE("a scan numbered otherwise is refused, or matched to the very same pos
 }
 
 TEST_CASE("the built-in T-shirt fits the built-in body's first pose") {
-  const SceneInput input = readSceneInput(readScene(EASE_SOURCE_DIR "/scenes/t-shirt.toml"));
+  const SceneInput input = readSceneInput(readScene(std::filesystem::path(kSourceDirectory) / "scenes/t-shirt.toml"));
   CHECK(input.pose_names == std::vector<std::string>{"t", "a", "up"});
   CHECK(std::abs(input.garment.positions.rows() - 2000) <= 60);
   CHECK(input.warnings.empty());

@@ -1,6 +1,7 @@
 #include "apps/scene.h"
 
 #include "tests/apps/scene_text.h"
+#include "tests/places.h"
 
 using namespace ease;
 using Catch::Contains;
@@ -189,7 +190,7 @@ TEST_CASE("a name that is no folder's is refused") {
 TEST_CASE("the scenes that come with the project can be read") {
   int count = 0;
   for (const char* folder : {"scenes", "tests/apps/scans"}) {
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(EASE_SOURCE_DIR) / folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(kSourceDirectory) / folder)) {
       if (entry.path().extension() != ".toml") continue;
       INFO(entry.path());
       const Scene scene = readScene(entry.path());

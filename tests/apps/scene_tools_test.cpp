@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "apps/scene.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/apps/temporary_directory.h"
 
 using namespace ease;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "bench/step_error.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 using namespace ease;
 

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "collision/mannequin.h"
+#include "collision/body/mannequin.h"
 #include "collision/moving_body.h"
 #include "solver/mesh/triangle_gradient.h"
 #include "tests/collision/bodies.h"

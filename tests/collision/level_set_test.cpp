@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/collision/bodies.h"
 
 using namespace ease;

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "collision/mannequin.h"
+#include "collision/body/mannequin.h"
 
 using namespace ease;
 

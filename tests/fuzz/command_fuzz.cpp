@@ -16,7 +16,7 @@
 
 #include "apps/command_line.h"
 #include "apps/scene.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/apps/result_check.h"
 #include "tests/fuzz/mutate.h"
 

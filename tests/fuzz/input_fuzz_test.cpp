@@ -9,9 +9,9 @@
 
 #include "apps/job.h"
 #include "apps/scene.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
+#include "solver/io/mesh_io.h"
 #include "solver/mesh/mesh_checks.h"
-#include "solver/mesh/mesh_io.h"
 #include "solver/mesh/topology.h"
 #include "tests/apps/temporary_directory.h"
 #include "tests/collision/bodies.h"

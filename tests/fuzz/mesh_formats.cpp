@@ -4,9 +4,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "solver/mesh/mesh_io.h"
+#include "solver/io/mesh_io.h"
 #include "tests/apps/temporary_directory.h"
-#include "tests/mesh/raw_numbers.h"
+#include "tests/io/raw_numbers.h"
 #include "viz/vtp.h"
 
 namespace ease {

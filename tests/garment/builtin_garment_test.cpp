@@ -5,9 +5,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "collision/mannequin.h"
+#include "collision/body/mannequin.h"
 #include "collision/triangle_tree.h"
-#include "solver/mesh/error.h"
+#include "garment/named_loop.h"
+#include "solver/base/error.h"
 #include "solver/mesh/topology.h"
 
 using namespace ease;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "garment/mesh_quality.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "solver/mesh/topology.h"
 #include "tests/garment/tools.h"
 #include "tests/sheet.h"

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/garment/tools.h"
 #include "tests/sheet.h"
 

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/sheet.h"
 
 using namespace ease;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "garment/remesh.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/garment/tools.h"
 
 using namespace ease;

@@ -6,7 +6,7 @@
 
 #include "garment/region.h"
 #include "garment/remesh.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/garment/tools.h"
 
 using namespace ease;

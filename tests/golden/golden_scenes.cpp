@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "apps/run.h"
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/accuracy/meshes.h"
 #include "tests/collision/bodies.h"
 #include "tests/sheet.h"

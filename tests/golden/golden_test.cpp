@@ -2,10 +2,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/places.h"
+
 using namespace ease;
 
 TEST_CASE("small scenes end where they ended before") {
-  const std::filesystem::path directory = EASE_SOURCE_DIR "/tests/golden";
+  const std::filesystem::path directory = std::filesystem::path(kSourceDirectory) / "tests/golden";
   for (const GoldenCase& which : goldenCases()) {
     const KeptResult kept = readKept(directory / (which.name() + ".txt"));
     const double bound = kept.build == buildName() ? 1e-9 : 1e-6;

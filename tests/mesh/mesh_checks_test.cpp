@@ -5,8 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "solver/mesh/error.h"
-#include "solver/mesh/mesh_io.h"
+#include "solver/base/error.h"
+#include "solver/io/mesh_io.h"
+#include "tests/places.h"
 
 using namespace ease;
 using Catch::Matchers::Contains;
@@ -132,7 +133,7 @@ TEST_CASE("a vertex without a triangle cannot be matched") {
 }
 
 TEST_CASE("a scan published with other numbers is refused, and matched by its triangles") {
-  const std::filesystem::path avatars = std::filesystem::path(EASE_SHARED_DATA) / "avatars";
+  const std::filesystem::path avatars = std::filesystem::path(kSharedData) / "avatars";
   if (!std::filesystem::exists(avatars)) {
     WARN("skipped: no scans at " << avatars.string());
     return;

@@ -1,11 +1,10 @@
 #include "solver/mesh/topology.h"
 
 #include <catch2/catch.hpp>
-#include <filesystem>
 #include <set>
 
-#include "solver/mesh/error.h"
-#include "solver/mesh/mesh_io.h"
+#include "solver/base/error.h"
+#include "tests/tube.h"
 
 using namespace ease;
 using Catch::Matchers::Contains;
@@ -18,24 +17,6 @@ TriangleMesh meshOf(std::initializer_list<Eigen::RowVector3d> positions,
   int i = 0, t = 0;
   for (const auto& p : positions) mesh.positions.row(i++) = p;
   for (const auto& v : triangles) mesh.triangles.row(t++) = v;
-  return mesh;
-}
-
-/// A tube of radius 1 about y from y = 0 to `height`, `around` vertices a ring: loops of `around` vertices below and
-/// above.
-TriangleMesh tube(int around, int rings, double height) {
-  TriangleMesh mesh{Positions(around * rings, 3), Triangles(2 * around * (rings - 1), 3)};
-  int t = 0;
-  for (int r = 0; r < rings; ++r) {
-    for (int i = 0; i < around; ++i) {
-      const double angle = 2.0 * M_PI * i / around;
-      mesh.positions.row(r * around + i) << std::cos(angle), height * r / (rings - 1), -std::sin(angle);
-      if (r + 1 == rings) continue;
-      const int j = (i + 1) % around;
-      mesh.triangles.row(t++) << r * around + i, r * around + j, (r + 1) * around + j;
-      mesh.triangles.row(t++) << r * around + i, (r + 1) * around + j, (r + 1) * around + i;
-    }
-  }
   return mesh;
 }
 
@@ -149,52 +130,4 @@ TEST_CASE("a vertex that joins two fans is refused, whether they are open or clo
 TEST_CASE("a triangle with a vertex twice is refused") {
   const TriangleMesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}}, {{0, 1, 1}});
   CHECK_THROWS_WITH(buildTopology(mesh, "a"), "a: triangle 0 has vertex 1 twice");
-}
-
-TEST_CASE("a loop is found by where it lies or by its index") {
-  const TriangleMesh mesh = tube(8, 3, 1.0);
-  const Topology topology = buildTopology(mesh, "tube");
-  CHECK(mesh.positions(findLoop(topology, mesh.positions, "top")[0], 1) == 1.0);
-  CHECK(mesh.positions(findLoop(topology, mesh.positions, "bottom")[0], 1) == 0.0);
-  CHECK(&findLoop(topology, mesh.positions, "1") == &topology.boundary_loops[1]);
-}
-
-TEST_CASE("a loop that is not there is refused with those that are") {
-  const TriangleMesh mesh = tube(8, 3, 1.0);
-  const Topology topology = buildTopology(mesh, "tube");
-  const auto find = [&](const char* where) { findLoop(topology, mesh.positions, where); };
-  CHECK_THROWS_AS(find("waist"), InputError);
-  CHECK_THROWS_WITH(find("waist"), Contains("no boundary loop \"waist\": expected \"top\"") &&
-                                       Contains("0 (8 vertices about (") && Contains("1 (8 vertices about ("));
-  CHECK_THROWS_WITH(find("2"), Contains("no boundary loop \"2\""));
-  CHECK_THROWS_WITH(find("-1"), Contains("no boundary loop \"-1\""));
-  CHECK_THROWS_WITH(find("left"), Contains("\"left\" is ambiguous: loops"));
-  const Topology closed = buildTopology(kTetrahedron, "tetrahedron");
-  CHECK_THROWS_WITH(findLoop(closed, kTetrahedron.positions, "top"), Contains("the mesh has no boundary loop"));
-}
-
-TEST_CASE("hem, sleeves and neck of real shirts are found") {
-  const std::filesystem::path garments = std::filesystem::path(EASE_SHARED_DATA) / "garments";
-  if (!std::filesystem::exists(garments)) {
-    WARN("skipped: no shirts at " << garments.string());
-    return;
-  }
-  for (const char* name : {"shirt_1100.obj", "shirt_3032.obj", "shirt_4270.obj", "shirt_10000.obj"}) {
-    INFO(name);
-    const TriangleMesh shirt = readMesh(garments / name);
-    const Topology topology = buildTopology(shirt, name);
-    REQUIRE(topology.boundary_loops.size() == 4);
-    const auto coordinate = [&](const char* where, int axis) {
-      double sum = 0.0;
-      const std::vector<int>& loop = findLoop(topology, shirt.positions, where);
-      for (int vertex : loop) sum += shirt.positions(vertex, axis);
-      return sum / static_cast<double>(loop.size());
-    };
-    CHECK(&findLoop(topology, shirt.positions, "bottom") == &topology.boundary_loops[0]);
-    CHECK(coordinate("bottom", 1) == Approx(0.86).margin(0.01));
-    CHECK(coordinate("left", 0) == Approx(0.28).margin(0.01));
-    CHECK(coordinate("right", 0) == Approx(-0.28).margin(0.01));
-    CHECK(coordinate("top", 1) == Approx(1.46).margin(0.03));
-    CHECK(coordinate("top", 0) == Approx(0.0).margin(0.02));
-  }
 }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "solver/step/time_step.h"
 #include "tests/sheet.h"
 

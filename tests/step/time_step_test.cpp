@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/step/soft_sheet.h"
 
 using namespace ease;

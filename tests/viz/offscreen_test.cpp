@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 
 TEST_CASE("a context without a display is current for as long as it lives, and can be had again") {
   for (int k = 0; k < 2; ++k) {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "solver/mesh/error.h"
+#include "solver/base/error.h"
 #include "tests/viz/fixtures.h"
 
 namespace fs = std::filesystem;
