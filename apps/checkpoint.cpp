@@ -76,7 +76,7 @@ struct Reader {
 
 template <class Bytes, class C>
 void members(Bytes& bytes, C& c) {
-  bytes.number(c.done);
+  bytes.number(c.run.done);
   bytes.array(c.poses_met);
   bytes.number(c.time_step_s);
   bytes.number(c.steps_per_pose);
@@ -86,15 +86,15 @@ void members(Bytes& bytes, C& c) {
   bytes.number(c.start.offset);
   bytes.array(c.numbering.vertices);
   bytes.array(c.numbering.triangles);
-  bytes.rows(c.state.positions);
-  bytes.rows(c.state.velocities);
+  bytes.rows(c.run.cloth.positions);
+  bytes.rows(c.run.cloth.velocities);
   bytes.rows(c.first_rest.positions);
   bytes.array(c.first_rest.edges);
-  bytes.rows(c.rest.positions);
-  bytes.array(c.rest.edges);
+  bytes.rows(c.run.rest.positions);
+  bytes.array(c.run.rest.edges);
   bytes.array(c.paint);
-  bytes.array(c.wanted_edges);
-  bytes.array(c.pins);
+  bytes.array(c.run.wanted_edges);
+  bytes.array(c.run.pins);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "apps/result_directory.h"
 #include "apps/resume.h"
 #include "apps/scene.h"
-#include "apps/timeline.h"
+#include "apps/scene_run.h"
 #include "apps/words.h"
 #include "solver/base/error.h"
 #include "solver/mesh/topology.h"
@@ -51,12 +51,12 @@ void printSummary(const Scene& scene, const SceneInput& input) {
   } else {
     fmt::print("  body      none\n");
   }
-  const int steps = timeStepsOfMotion(scene);
+  const int steps = timeStepsOfMotion(replaySchedule(scene));
   fmt::print("  motion    {} time steps of {:g} s: {:g} s, by {}\n", steps, scene.solver.time_step,
-             steps * scene.solver.time_step, scene.solver.method);
-  if (const int parts = divisionFor(scene, input).time_steps; parts > 1)
+             steps * scene.solver.time_step, nameOf(scene.solver.method));
+  if (const int parts = substepsOf(scene, input).time; parts > 1)
     fmt::print("            each in {} parts, since the body moves {:.2g} mm in it\n", parts,
-               1e3 * bodyMotionOfStep(scene, input));
+               1e3 * runInput(scene, input, nullptr).body_motion);
   if (const auto& adaption = scene.adaption) {
     fmt::print("  adaption  principal stretch at most {:g}, every {} time steps, {} through the motion{}{}\n",
                1.0 + adaption->limit, adaption->every,
@@ -137,10 +137,10 @@ ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interru
     std::optional<Checkpoint> from;
     if (!arguments.resumed.empty()) from = checkpointIn(arguments.resumed);
     const SceneInput input = readWithWarnings(scene, interrupted, from ? &from->start : nullptr);
-    divisionFor(scene, input);  // refuses what cannot be simulated
+    substepsOf(scene, input);  // refuses what cannot be simulated
     if (from) checkGoesOn(*from, arguments.resumed, scene, input);
     const bool replays = scene.adaption && scene.adaption->verify;
-    if (from && timeline(scene, true, from->done).empty() && isFinished(arguments.resumed, replays)) {
+    if (from && timeline(adaptingSchedule(scene), from->run.done).empty() && isFinished(arguments.resumed, replays)) {
       fmt::print("nothing left to do: the run in {} is at the end; it goes on with more poses, cycles or steps\n",
                  arguments.resumed);
       return kDone;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -14,102 +15,96 @@
 #include "apps/report.h"
 #include "apps/result_directory.h"
 #include "apps/resume.h"
-#include "apps/run.h"
+#include "apps/run_pictures.h"
+#include "apps/scene_run.h"
+#include "apps/series_of_run.h"
+#include "garment/paint.h"
 #include "solver/base/error.h"
+#include "solver/base/stopwatch.h"
 #include "solver/io/mesh_io.h"
-#include "viz/picture.h"
 
 namespace ease {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kShownStretch = 0.1;  // marked in the picture of a run that has no limit
 
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+/// A garment at the start and at the end of a replay.
+struct ShownReplay {
+  ShownGarment start, end;
+};
 
-/// How much longer each triangle's cloth became from one rest shape to another: sigma_1 of the map between them.
-void measureGrowth(const std::vector<Mat2>& first_inverse, double first_area, const Cloth& cloth, Report& report) {
+/// Growth of every triangle's cloth from its first rest shape: sigma_1 of the map from the first to the present one.
+void measureGrowth(const RestShape& first, const std::vector<double>& first_areas, const Cloth& cloth, Report& report) {
   std::vector<double> growth(cloth.triangleCount());
-  double area = 0.0;
   for (int t = 0; t < cloth.triangleCount(); ++t) {
-    const Mat2 map = cloth.restEdges()[t] * first_inverse[t];
+    const Mat2 map = cloth.restEdges()[t] * first.edges[t].inverse();
     growth[t] = principalStretch(map.transpose() * map).sigma_1;
-    area += cloth.restAreas()[t];
   }
+  const auto sum = [](const std::vector<double>& areas) { return std::accumulate(areas.begin(), areas.end(), 0.0); };
   const StretchStatistics statistics = stretchStatistics(growth, 0.0);
   report.growth_max = statistics.max;
   report.growth_p99 = statistics.p99;
-  report.growth_area_ratio = area / first_area;
+  report.growth_area_ratio = sum(cloth.restAreas()) / sum(first_areas);
 }
-
-/// A garment in a picture.
-struct Shown {
-  TriangleMesh garment;
-  std::vector<float> sigma_1;
-};
-
-/// On the first pose as it starts, and on the last.
-struct FirstAndLast {
-  Shown first, last;
-};
 
 class Job {
  public:
   Job(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-      const std::optional<Checkpoint>& from, bool here, const std::atomic<bool>& interrupted)
+      const std::optional<Checkpoint>& resume_from, bool append_to_series, const std::atomic<bool>& interrupted)
       : scene_(scene),
         given_(input),
-        numbering_(numberingOf(input, from)),
+        numbering_(numberingOf(input, resume_from)),
         input_(renumbered(input, numbering_)),
         directory_(directory),
-        from_(from),
-        here_(here),
+        resume_from_(resume_from),
+        append_to_series_(append_to_series),
         interrupted_(interrupted) {}
 
   bool operator()() {
-    const Clock::time_point start = Clock::now();
-    removeOldResults(directory_, here_);
-    setUp();
-    report_.setup_s = secondsSince(start);
-    try {
-      adaptingRun();
-      if (!interrupted_ && scene_.adaption && scene_.adaption->verify) replays();
-    } catch (const ComputationError& error) {
-      report_.failure = error.what();
-      finishReport(start);
-      throw;
+    {
+      const Stopwatch total(report_.total_s);
+      {
+        const Stopwatch setup(report_.setup_s);
+        removeOldResults(directory_, append_to_series_);
+        setUp();
+      }
+      try {
+        adaptingRun();
+        if (!interrupted_ && verifies()) replays();
+      } catch (const ComputationError& error) {
+        report_.failure = error.what();
+      }
+      progress_.reset();
+      if (!interrupted_ && report_.failure.empty()) drawPictures();
     }
-    if (!interrupted_) drawPictures();
-    finishReport(start);
+    finishReport();
+    if (!report_.failure.empty()) throw ComputationError(report_.failure);
     if (!interrupted_) removeEarlierReport(directory_);
     fmt::print("{}", summaryText(report_));
     return !interrupted_;
   }
 
  private:
-  static InputNumbering numberingOf(const SceneInput& input, const std::optional<Checkpoint>& from) {
+  static InputNumbering numberingOf(const SceneInput& input, const std::optional<Checkpoint>& resume_from) {
     InputNumbering numbering = spatialNumbering(input);
-    if (from) numbering.garment = from->numbering;
+    if (resume_from) numbering.garment = resume_from->numbering;
     return numbering;
   }
 
-  StepsDone done() const { return from_ ? from_->done : StepsDone(); }
+  bool verifies() const { return scene_.adaption && scene_.adaption->verify; }
 
-  /// s of motion, until which the series in the directory are kept; -1: none are.
-  double resumedAt() const { return here_ ? (from_->done.all + 0.5) * from_->time_step_s : -1.0; }
+  std::vector<Moment> momentsLeft() const {
+    return timeline(adaptingSchedule(scene_), resume_from_ ? resume_from_->run.done : StepsDone());
+  }
 
   void setUp() {
     cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
-    if (from_)
-      cloth_->setRest(from_->first_rest.positions, from_->first_rest.edges);
+    if (resume_from_)
+      cloth_->setRest(resume_from_->first_rest.positions, resume_from_->first_rest.edges);
     else if (!input_.paint.empty())
-      Stitcher(*cloth_, systemOrdering(cloth_->vertexCount(), cloth_->triangles())).rescale(*cloth_, input_.paint);
+      stitcher().rescale(*cloth_, input_.paint);
     first_rest_ = {cloth_->restPositions(), cloth_->restEdges()};
-    first_inverse_ = cloth_->restInverse();
     first_areas_ = cloth_->restAreas();
     if (scene_.body) body_.emplace(movingBody(scene_, input_));
     report_.vertices = cloth_->vertexCount();
@@ -117,61 +112,91 @@ class Job {
     report_.time_step_s = scene_.solver.time_step;
     report_.limit = scene_.adaption ? scene_.adaption->limit : 0.0;
     report_.pose_names = input_.pose_names;
-    if (from_) report_.resumed_from_step = from_->done.all;
+    if (resume_from_) report_.resumed_from_step = resume_from_->run.done.all;
     report_.warnings = input_.warnings;
-    const long replays = scene_.adaption && scene_.adaption->verify ? 2 : 0;
-    progress_.emplace(static_cast<long>(timeline(scene_, true, done()).size()) +
-                      replays * static_cast<long>(timeline(scene_, false).size()));
+    const long replay_steps = static_cast<long>(timeline(replaySchedule(scene_)).size());
+    progress_.emplace(static_cast<long>(momentsLeft().size()) + (verifies() ? 2 * replay_steps : 0));
   }
 
-  RunOptions options(bool adapting, const char* what) {
-    RunOptions options;
-    options.adapting = adapting;
-    options.first_areas = &first_areas_;
-    options.interrupted = &interrupted_;
-    options.on_step = [this, what](const Moment& moment) {
-      progress_->advance(fmt::format("{}, {:.3f} s of motion", what, moment.time_s));
+  /// For the cloth's present rest shape.
+  Stitcher stitcher() const { return Stitcher(*cloth_, systemOrdering(cloth_->vertexCount(), cloth_->triangles())); }
+
+  /// The state to go on from, with what the scene paints beside what the earlier run had painted.
+  RunState resumedState() {
+    RunState state = resume_from_->run;
+    const std::vector<double> more = paintBetween(resume_from_->paint, input_.paint);
+    if (more.empty()) return state;
+    Stitcher stitcher = this->stitcher();  // of the first rest shape
+    cloth_->setRest(state.rest.positions, state.rest.edges);
+    stitcher.restore(state.wanted_edges.empty() ? state.rest.edges : state.wanted_edges);
+    stitcher.rescale(*cloth_, more);
+    state.rest = {cloth_->restPositions(), cloth_->restEdges()};
+    state.wanted_edges = stitcher.wanted();
+    cloth_->setRest(first_rest_.positions, first_rest_.edges);
+    return state;
+  }
+
+  RunWatch watch(const char* activity) {
+    RunWatch watch;
+    watch.interrupted = &interrupted_;
+    watch.on_step = [this, activity](const Moment& moment) {
+      progress_->advance(fmt::format("{}, {:.3f} s of motion", activity, moment.time_s));
     };
-    return options;
+    return watch;
   }
 
   void adaptingRun() {
     std::optional<SeriesOfRun> series;
-    RunOptions run_options = options(true, scene_.adaption ? "adapting" : "simulating");
-    const bool moves_on = !timeline(scene_, true, done()).empty();  // otherwise the replays alone are left
-    if (scene_.output && moves_on) {
-      series.emplace(directory_, given_, numbering_, resumedAt());
-      run_options.series = &*series;
+    RunWatch run_watch = watch(scene_.adaption ? "adapting" : "simulating");
+    if (scene_.output && !momentsLeft().empty()) {  // otherwise the replays alone are left
+      const double keep_until =
+          append_to_series_ ? (resume_from_->run.done.all + 0.5) * resume_from_->time_step_s : -1.0;
+      series.emplace(directory_, given_, numbering_, first_areas_, keep_until);
+      run_watch.on_frame = [&](const Snapshot& snapshot) { series->write(snapshot); };
     }
-    run_options.keep = [&](Checkpoint checkpoint) {
-      checkpoint.start = from_ ? from_->start : StartGarment{given_.garment, scene_.collision.offset};
-      checkpoint.numbering = numbering_.garment;
-      checkpoint.first_rest = first_rest_;
-      checkpoint.poses_met = posesMet(scene_, given_, checkpoint.done);
-      if (series) series->finish();  // its frames are there before what goes on from them
-      writeCheckpoint(directory_ / kCheckpoint, checkpoint);
+    run_watch.on_checkpoint = [&](const RunState& state) {
+      if (series) series->finish();  // frames are on disk before what goes on from them
+      writeCheckpoint(directory_ / kCheckpoint, checkpointOf(state));
     };
-    run_options.from = from_ ? &*from_ : nullptr;
+    const RunInput run_input = runInput(scene_, input_, body());
+    Run run(runSettings(scene_, adaptingSchedule(scene_)), run_input, *cloth_);
+    if (resume_from_) run.resume(resumedState());
     const auto finish = [&] {
+      report_.run = run.record();
+      const Stopwatch total(report_.run.times.total), output(report_.run.times.output);
+      end_ = run.state().positions;
       if (series) series->finish();
-      measureGrowth(first_inverse_, sum(first_areas_), *cloth_, report_);
-      report_.folded_edges = foldedEdges(*cloth_, first_rest_.positions);
-      const Frame rest = restored(restFrame(*cloth_, first_areas_), numbering_.garment);
-      writeObj(directory_ / "rest_shape.obj", {rest.positions, given_.garment.triangles});
-      writeVtp(directory_ / "rest_shape.vtp", given_.garment.triangles, rest);
-      if (given_.authored && !given_.authored->seams.empty())
-        writePieces({rest.positions, given_.garment.triangles}, given_.authored->seams, directory_, "rest_pieces");
+      writeRestShape();
     };
     try {
-      runMotion(scene_, input_, body(), *cloth_, run_options, state_, report_.run);
+      run.run(run_watch);
     } catch (const ComputationError&) {
       finish();
       throw;
     }
-    const Clock::time_point start = Clock::now();
     finish();
-    report_.run.output_s += secondsSince(start);
-    report_.run.wall_s += secondsSince(start);
+  }
+
+  Checkpoint checkpointOf(const RunState& state) const {
+    return {state,
+            posesMet(scene_, given_, state.done),
+            scene_.solver.time_step,
+            scene_.solver.steps_per_pose,
+            scene_.body ? scene_.body->steps : 0,
+            resume_from_ ? resume_from_->start : StartGarment{given_.garment, scene_.collision.offset},
+            numbering_.garment,
+            first_rest_,
+            input_.paint};
+  }
+
+  void writeRestShape() {
+    measureGrowth(first_rest_, first_areas_, *cloth_, report_);
+    report_.folded_edges = foldedEdges(*cloth_, first_rest_.positions);
+    const Frame rest = restored(restFrame(*cloth_, first_areas_), numbering_.garment);
+    writeObj(directory_ / "rest_shape.obj", {rest.positions, given_.garment.triangles});
+    writeVtp(directory_ / "rest_shape.vtp", given_.garment.triangles, rest);
+    if (given_.authored && !given_.authored->seams.empty())
+      writePieces({rest.positions, given_.garment.triangles}, given_.authored->seams, directory_, "rest_pieces");
   }
 
   void replays() {
@@ -181,50 +206,35 @@ class Job {
     report_.verified = !interrupted_;
   }
 
-  void replay(const RestShape& rest, const char* what, PassRecord& record, FirstAndLast& shown) {
+  void replay(const RestShape& rest, const char* activity, PassRecord& record, ShownReplay& shown) {
     if (interrupted_) return;
     cloth_->setRest(rest.positions, rest.edges);
-    State state;
-    runMotion(scene_, input_, body(), *cloth_, options(false, what), state, record);
-    shown = {shownAt(input_.garment.positions), shownAt(state.positions)};
+    const RunInput run_input = runInput(scene_, input_, body());
+    Run run(runSettings(scene_, replaySchedule(scene_)), run_input, *cloth_);
+    run.run(watch(activity));
+    record = run.record();
+    shown = {showGarment(*cloth_, input_.garment.positions), showGarment(*cloth_, run.state().positions)};
   }
 
-  Shown shownAt(const Positions& x) const {
-    std::vector<Stretch> stretch;
-    measureStretch(*cloth_, x, stretch);
-    Shown shown{{x, cloth_->triangles()}, {}};
-    for (const Stretch& s : stretch) shown.sigma_1.push_back(static_cast<float>(s.sigma_1));
-    return shown;
-  }
-
-  /// How the replays began and ended; without them, how the run ended.
+  /// Shows how the replays began and ended; without replays, how the run ended.
   void drawPictures() {
-    progress_.reset();
-    const auto draw = [&](const char* name, const Positions& at,
-                          std::initializer_list<std::pair<const char*, const Shown*>> all) {
-      const TriangleMesh body{at, input_.body_triangles};
-      std::vector<StretchView> views;
-      for (const auto& [title, shown] : all)
-        views.push_back({title, &shown->garment, shown->sigma_1, body_ ? &body : nullptr});
-      const double limit = scene_.adaption ? report_.limit : kShownStretch;
-      const std::string reason =
-          drawStretch(directory_ / name, views, "largest principal stretch", 1.0, 1.0 + 2.0 * limit, 1.0 + limit);
+    const double limit = scene_.adaption ? report_.limit : kShownStretch;
+    const auto draw = [&](const char* name, int pose, const std::vector<ShownColumn>& columns) {
+      const TriangleMesh body = body_ ? TriangleMesh{input_.poses[pose], input_.body_triangles} : TriangleMesh();
+      const std::string reason = drawGarments(directory_ / name, columns, body, limit);
       if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
     };
-    Positions last;
-    if (body_) last = input_.poses[posesOfMotion(scene_, !report_.verified).back()];
+    const auto last_pose = [](const Schedule& schedule) { return schedule.poses ? posesOfMotion(schedule).back() : 0; };
     if (report_.verified) {
-      draw("stretch.png", last, {{"before", &before_.last}, {"after", &after_.last}});
-      draw("stretch_first_pose.png", body_ ? input_.poses.front() : last,
-           {{"before", &before_.first}, {"after", &after_.first}});
+      draw("stretch.png", last_pose(replaySchedule(scene_)), {{"before", &before_.end}, {"after", &after_.end}});
+      draw("stretch_first_pose.png", 0, {{"before", &before_.start}, {"after", &after_.start}});
     } else {
-      const Shown ended = shownAt(state_.positions);
-      draw("stretch.png", last, {{"", &ended}});
+      const ShownGarment shown = showGarment(*cloth_, end_);
+      draw("stretch.png", last_pose(adaptingSchedule(scene_)), {{"", &shown}});
     }
   }
 
-  void finishReport(Clock::time_point start) {
-    progress_.reset();
+  void finishReport() {
     for (const std::string& warning : depthWarnings(report_)) report_.warnings.push_back(warning);
     if (report_.run.fully_grown > 0)
       report_.warnings.push_back(
@@ -232,7 +242,6 @@ class Job {
                       "not the body's shape; is the cloth too weak for its weight, or pinned too far apart?",
                       report_.run.fully_grown, kMostGrowth));
     report_.interrupted = interrupted_;
-    report_.total_s = secondsSince(start);
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
       std::fputs(fmt::format("ease: warning: {}\n", report_.warnings[k]).c_str(), stderr);
     writeReport(report_, scene_, directory_);
@@ -240,28 +249,21 @@ class Job {
 
   MovingBody* body() { return body_ ? &*body_ : nullptr; }
 
-  static double sum(const std::vector<double>& values) {
-    double total = 0.0;
-    for (double value : values) total += value;
-    return total;
-  }
-
   const Scene& scene_;
-  const SceneInput& given_;
+  const SceneInput& given_;  // numbered as its files are
   const InputNumbering numbering_;
-  const SceneInput input_;  // the same in this numbering
+  const SceneInput input_;  // `given_` in the run's numbering
   const std::filesystem::path directory_;
-  const std::optional<Checkpoint>& from_;
-  const bool here_;  // the run before is in the same directory
+  const std::optional<Checkpoint>& resume_from_;
+  const bool append_to_series_;
   const std::atomic<bool>& interrupted_;
 
   std::optional<Cloth> cloth_;
   std::optional<MovingBody> body_;
   RestShape first_rest_;
-  std::vector<Mat2> first_inverse_;
-  std::vector<double> first_areas_;
-  State state_;
-  FirstAndLast before_, after_;
+  std::vector<double> first_areas_;  // of the first rest shape's triangles, m^2
+  Positions end_;                    // of the garment after the run, m
+  ShownReplay before_, after_;
   Report report_;
   std::optional<Progress> progress_;
 };
@@ -269,8 +271,9 @@ class Job {
 }  // namespace
 
 bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-              const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& from, bool here) {
-  return Job(scene, input, directory, from, here, interrupted)();
+              const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& resume_from,
+              bool append_to_series) {
+  return Job(scene, input, directory, resume_from, append_to_series, interrupted)();
 }
 
 }  // namespace ease

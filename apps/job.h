@@ -11,10 +11,10 @@
 namespace ease {
 
 /// Simulates, adapts, verifies and writes into `directory`, which exists.  Returns false if `interrupted` became true
-/// on the way; what is on disk then is whole.  Throws ComputationError, likewise.  `from`: goes on from there; `here`:
-/// with the series that are in the directory.
+/// before the end; what is on disk then is whole, as it is where this throws ComputationError.  `resume_from`: the run
+/// goes on from there.  `append_to_series`: it goes on in the same directory, whose series it continues.
 bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-              const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& from = std::nullopt,
-              bool here = false);
+              const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& resume_from = std::nullopt,
+              bool append_to_series = false);
 
 }  // namespace ease

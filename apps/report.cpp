@@ -65,27 +65,27 @@ Json toJson(const Report& report, const Scene& scene) {
   Json json;
   json["scene"] = scene.name;
   json["version"] = EASE_VERSION;
-  json["method"] = scene.solver.method;
+  json["method"] = nameOf(scene.solver.method);
   json["vertices"] = report.vertices;
   json["triangles"] = report.triangles;
   json["poses"] = report.pose_names.size();
   if (report.resumed_from_step) json["resumed_from_step"] = *report.resumed_from_step;
   json["steps"] = run.steps;
-  json["parts_of_time_step"] = run.division.time_steps;
-  json["parts_of_interpolation_step"] = run.division.interpolation_steps;
+  json["parts_of_time_step"] = run.substeps.time;
+  json["parts_of_interpolation_step"] = run.substeps.interpolation;
   json["settle_steps"] = run.settle_steps;
   json["simulated_s"] = run.steps * report.time_step_s;
   json["wall_s"] = {{"total", report.total_s},
                     {"setup", report.setup_s},
-                    {"run", run.wall_s},
-                    {"step", run.step_s},
-                    {"interpolation", run.interpolation_s},
-                    {"level_set", run.level_set_s},
-                    {"adaption", run.adaption_s},
-                    {"output", run.output_s}};
+                    {"run", run.times.total},
+                    {"step", run.times.step},
+                    {"interpolation", run.times.interpolation},
+                    {"level_set", run.times.level_set},
+                    {"adaption", run.times.adaption},
+                    {"output", run.times.output}};
   const bool moved = run.steps > 0;
-  json["fps"] = {{"simulation", measuredIf(moved, perSecond(run.steps, run.step_s))},
-                 {"full", measuredIf(moved, perSecond(run.steps, report.setup_s + run.wall_s))}};
+  json["fps"] = {{"simulation", measuredIf(moved, perSecond(run.steps, run.times.step))},
+                 {"full", measuredIf(moved, perSecond(run.steps, report.setup_s + run.times.total))}};
   const bool limited = report.limit > 0.0;
   if (limited) json["sigma_1"]["limit"] = 1.0 + report.limit;
   json["sigma_1"]["run"] = stretchRecord(run.stretch, report.pose_names, limited);
@@ -108,22 +108,22 @@ Json toJson(const Report& report, const Scene& scene) {
     json["penetration_mm"]["after"] = penetration(report.after.penetration);
   }
   json["final_speed_m_s"] = measuredIf(run.stretch.moments > 0, run.final_speed_m_s);
-  const std::string& method = scene.solver.method;
+  const std::string& method = nameOf(scene.solver.method);
   Json solver = {{"time_step_s", report.time_step_s}};
   if (method == "auto" || method == "pd-lbfgs" || method == "pd") solver["tolerance"] = scene.solver.tolerance;
   if (method == "newton") solver["residual_m_s2"] = scene.solver.residual;
   if (method == "pd") solver["iterations"] = scene.solver.iterations;
-  solver["projective_iterations"] = run.projective_iterations;
-  solver["newton_iterations"] = run.newton_iterations;
-  solver["handed_over_to_newton"] = run.handed_over;
-  solver["cg_iterations"] = run.cg_iterations;
-  solver["factorisations"] = run.factorisations;
-  solver["contact_rounds"] = run.contact_rounds;
+  solver["projective_iterations"] = run.solver.projective_iterations;
+  solver["newton_iterations"] = run.solver.newton_iterations;
+  solver["handed_over_to_newton"] = run.solver.handed_over;
+  solver["cg_iterations"] = run.solver.cg_iterations;
+  solver["factorisations"] = run.solver.factorisations;
+  solver["contact_rounds"] = run.solver.contact_rounds;
   solver["adaptions"] = run.adaptions;
   solver["contact_stiffness_N_m3"] = run.contact_stiffness;
   json["solver"] = solver;
-  json["rescues"] = {{"step_halvings", run.halvings},
-                     {"time_steps_short_of_tolerance", run.short_of_tolerance},
+  json["rescues"] = {{"step_halvings", run.solver.halvings},
+                     {"time_steps_short_of_tolerance", run.solver.short_of_tolerance},
                      {"voxels_on_demand", run.voxels_on_demand},
                      {"triangles_fully_grown", run.fully_grown},
                      {"rest_edges_folded", report.folded_edges},
@@ -138,13 +138,6 @@ Json toJson(const Report& report, const Scene& scene) {
 }
 
 }  // namespace
-
-void StretchRecord::measured(const StretchStatistics& moment) {
-  ++moments;
-  overall.max = std::max(overall.max, moment.max);
-  overall.p99 = std::max(overall.p99, moment.p99);
-  overall.share_over_limit = std::max(overall.share_over_limit, moment.share_over_limit);
-}
 
 void writeReport(const Report& report, const Scene& scene, const std::filesystem::path& directory) {
   writeWholeFile(directory / "report.json", toJson(report, scene).dump(2) + "\n");
@@ -164,14 +157,15 @@ std::vector<std::string> depthWarnings(const Report& report) {
 
 std::string summaryText(const Report& report) {
   const PassRecord& run = report.run;
-  const double run_s = report.setup_s + run.wall_s;
+  const double run_s = report.setup_s + run.times.total;
   std::string text;
   if (run.steps > 0)
     text = fmt::format(
         "{} vertices, {} steps of {} ms in {:.1f} s: {:.1f} steps/s with setup and output, {:.1f} the time steps "
         "alone\n{:.1f} s in all: {:.1f} s more for {}pictures and report\n",
         report.vertices, run.steps, 1e3 * report.time_step_s, run_s, perSecond(run.steps, run_s),
-        perSecond(run.steps, run.step_s), report.total_s, report.total_s - run_s, report.verified ? "replays, " : "");
+        perSecond(run.steps, run.times.step), report.total_s, report.total_s - run_s,
+        report.verified ? "replays, " : "");
   else
     text = fmt::format("{} vertices, no time step was left to do; {:.1f} s in all\n", report.vertices, report.total_s);
   if (report.verified) {

@@ -6,39 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "adaption/stretch_measure.h"
+#include "adaption/pass_record.h"
 #include "apps/scene.h"
-#include "apps/timeline.h"
-#include "collision/contacts.h"
 
 namespace ease {
-
-/// Stretch of the cloth through one run of the motion: the worst of all measured moments, and as it was in each pose
-/// that was reached.
-struct StretchRecord {
-  StretchStatistics overall;
-  int moments = 0;  // measured
-  std::vector<std::optional<StretchStatistics>> poses;
-  void measured(const StretchStatistics& moment);
-};
-
-/// One run of the motion.
-struct PassRecord {
-  int steps = 0;
-  Division division;  // of those, and of the interpolation steps
-  StretchRecord stretch;
-  Penetration penetration;
-  double wall_s = 0.0;           // the whole pass
-  double final_speed_m_s = 0.0;  // largest of a vertex, at the end
-  double level_set_s = 0.0, interpolation_s = 0.0, step_s = 0.0, adaption_s = 0.0, output_s = 0.0;
-  double level_set_MB = 0.0;
-  double contact_stiffness = 0.0;  // N/m^3: the scene's, or more where the body is fast
-  long projective_iterations = 0, handed_over = 0, contact_rounds = 0;
-  long newton_iterations = 0, cg_iterations = 0, factorisations = 0;
-  long halvings = 0, short_of_tolerance = 0, voxels_on_demand = 0, settle_steps = 0, adaptions = 0;
-  int fully_grown = 0;  // triangles, at the end
-  ContactRescues contact;
-};
 
 struct Report {
   int vertices = 0, triangles = 0;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/fingerprint.h"
+#include "apps/scene_run.h"
 #include "solver/base/error.h"
 
 namespace ease {
@@ -17,8 +18,8 @@ namespace {
 
 /// Where the body has been it must have been in this scene's motion too; otherwise it would jump.
 void checkWay(const Checkpoint& from, const std::string& directory, const Scene& scene, const SceneInput& input) {
-  const std::vector<std::uint64_t> met = posesMet(scene, input, from.done);
-  const std::vector<int> poses = posesOfMotion(scene, true);
+  const std::vector<std::uint64_t> met = posesMet(scene, input, from.run.done);
+  const std::vector<int> poses = posesOfMotion(adaptingSchedule(scene));
   const std::string key = scene.file.string() + ": [body] poses";
   for (size_t k = 0; k < std::min(met.size(), from.poses_met.size()); ++k)
     if (met[k] != from.poses_met[k])
@@ -79,7 +80,7 @@ void startAs(const StartGarment& before, const std::string& name, const Warn& wa
 }
 
 std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input, const StepsDone& done) {
-  const std::vector<int> poses = posesOfMotion(scene, true);
+  const std::vector<int> poses = posesOfMotion(adaptingSchedule(scene));
   const int leg = scene.body ? scene.body->steps * scene.solver.steps_per_pose : 0;
   std::vector<std::uint64_t> met;
   for (int k = 0; k < std::ssize(poses) && (k == 0 || done.moving > (k - 1) * leg); ++k) {

@@ -130,9 +130,10 @@ SolverScene readSolver(const TomlTable& table, bool has_body) {
   table.allow(
       {"method", "tolerance", "residual", "iterations", "time_step", "steps_per_pose", "steps", "gravity", "threads"});
   SolverScene solver;
-  solver.method = table.choice("method", solver.method, {"auto", "bw1", "newton", "pd", "pd-lbfgs"});
+  const std::string method = table.choice("method", nameOf(solver.method), {"auto", "bw1", "newton", "pd", "pd-lbfgs"});
+  solver.method = methodNamed(method);
   const auto onlyFor = [&](const char* key, std::initializer_list<const char*> methods, const char* expected) {
-    if (table.has(key) && std::find(methods.begin(), methods.end(), solver.method) == methods.end())
+    if (table.has(key) && std::find(methods.begin(), methods.end(), method) == methods.end())
       table.refuse(key, expected);
   };
   onlyFor("tolerance", {"auto", "pd-lbfgs"}, "method = 'auto' or 'pd-lbfgs' for a tolerance");
@@ -190,7 +191,7 @@ std::string readName(const TomlTable& root, const std::filesystem::path& file) {
   return name;
 }
 
-/// Refuses a motion of absurd length, before timeStepsOfMotion() could overflow.
+/// Refuses a motion of absurd length, before the number of its time steps could overflow.
 void checkLength(const TomlTable& root, const Scene& scene) {
   double steps = scene.solver.steps;
   if (scene.body) {
@@ -229,12 +230,6 @@ Scene readScene(const std::filesystem::path& file) {
   if (const auto output = root.table("output")) scene.output = readOutput(*output);
   checkLength(root, scene);
   return scene;
-}
-
-int timeStepsOfMotion(const Scene& scene) {
-  if (!scene.body) return scene.solver.steps;
-  const int intervals = std::max(static_cast<int>(scene.body->poses.size()) - 1, 1);
-  return intervals * scene.body->steps * scene.solver.steps_per_pose;
 }
 
 }  // namespace ease

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "adaption/run.h"
 #include "garment/authoring.h"
 #include "solver/base/error.h"
 #include "solver/mesh/numbering.h"
@@ -18,8 +19,10 @@ namespace ease {
 struct BodyScene {
   std::vector<std::string> poses;  // mesh files relative to the scene file, or names of the built-in body's poses
   std::string builtin;             // "mannequin", or empty: files
-  int steps = 60;                  // interpolation steps from a pose to the next; with one pose, how long it is held
-  bool match_triangles = false;    // match = "triangles"
+  int steps =
+      Schedule()
+          .interpolation_steps;  // interpolation steps from a pose to the next; with one pose, how long it is held
+  bool match_triangles = false;  // match = "triangles"
 };
 
 struct PinScene {
@@ -40,21 +43,21 @@ struct GarmentScene {
 };
 
 struct SolverScene {
-  std::string method = "auto";       // time_step.h
-  double tolerance = 0.05;           // pd-lbfgs, auto: relative error of a step
-  double residual = 1e-2;            // newton: largest residual acceleration, m/s^2
-  int iterations = 10;               // pd
-  double time_step = 0.0025;         // s
-  int steps_per_pose = 4;            // time steps per interpolation step
-  int steps = 0;                     // time steps of a scene without a body
-  Vec3 gravity = {0.0, -9.81, 0.0};  // m/s^2
-  int threads = 0;                   // 0: all
+  Method method = MethodOptions().method;
+  double tolerance = MethodOptions().tolerance;    // pd-lbfgs, auto: relative error of a step
+  double residual = MethodOptions().residual;      // newton: largest residual acceleration, m/s^2
+  int iterations = MethodOptions().iterations;     // pd
+  double time_step = Schedule().time_step;         // s
+  int steps_per_pose = Schedule().steps_per_pose;  // time steps for each interpolation step
+  int steps = 0;                                   // time steps of a scene without a body
+  Vec3 gravity = RunSettings().gravity;            // m/s^2
+  int threads = 0;                                 // 0: all
 };
 
 struct CollisionScene {
-  double offset = 0.005;   // comfort: least distance to the body, m
-  double voxel = 0.01;     // m
-  double stiffness = 3e6;  // contact pressure per depth, N/m^3
+  double offset = RunSettings().comfort_offset;        // comfort: least distance to the body, m
+  double voxel = LevelSetOptions().voxel;              // m
+  double stiffness = RunSettings().contact_stiffness;  // contact pressure per depth, N/m^3
 };
 
 struct AdaptionScene {
@@ -84,9 +87,6 @@ struct Scene {
 /// Reads a scene.  Throws InputError with file, line, key, the value found and what was expected: unknown keys (with
 /// the nearest known one), wrong types, impossible values, missing tables, keys that exclude each other.
 Scene readScene(const std::filesystem::path& file);
-
-/// Time steps of once through the motion: (poses - 1, at least 1) x steps x steps_per_pose; without a body, its steps.
-int timeStepsOfMotion(const Scene& scene);
 
 /// What a scene names, read and checked.
 struct SceneInput {

@@ -1,9 +1,11 @@
-// Where a run's frames go: the garment, its rest shape and the body, as time series.
+// The time series of a run: the garment, its rest shape and the body.
 #pragma once
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
+#include "adaption/run.h"
 #include "apps/scene.h"
 #include "viz/series.h"
 
@@ -11,20 +13,21 @@ namespace ease {
 
 class SeriesOfRun {
  public:
-  /// `given`: the meshes before they were renumbered for the run.  Goes on with earlier series up to `keep_until`, s.
+  /// `given`: the meshes before they were renumbered for the run; frames are written in that numbering.
+  /// `first_areas`: of the first rest shape's triangles, in the run's numbering, m^2.  Series that are in the directory
+  /// already are continued; their frames after `keep_until` (s) are replaced.
   SeriesOfRun(const std::filesystem::path& directory, const SceneInput& given, const InputNumbering& numbering,
-              double keep_until = -1.0);
+              const std::vector<double>& first_areas, double keep_until = -1.0);
 
-  /// Frames as the run numbers them; they are written as they were before.
-  void write(double time_s, const Frame& garment, const Frame& rest);
-  void writeBody(double time_s, const Frame& body);
-  /// Waits until all are on disk; throws as Series::write().
+  void write(const Snapshot& snapshot);
+  /// Waits until all frames are on disk; throws as Series::write() does.
   void finish();
 
  private:
   Series garment_, rest_;
   std::optional<Series> body_;
   InputNumbering numbering_;
+  std::vector<double> first_areas_;
 };
 
 }  // namespace ease

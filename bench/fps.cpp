@@ -47,13 +47,13 @@ void timeScene(benchmark::State& state, const Scene& given, const JobLimits& lim
     counters["vertices"] = t.vertices;
     counters["steps"] = steps;
     counters["substeps"] = t.substeps;
-    counters["fps_simulation"] = steps / t.step_s;
+    counters["fps_simulation"] = steps / t.times.step;
     counters["fps_full"] = steps / t.run_s;
-    counters["ms_step"] = per_step * t.step_s;
-    counters["ms_level_set"] = per_step * t.level_set_s;
-    counters["ms_interpolation"] = per_step * t.interpolation_s;
-    counters["ms_adaption"] = per_step * t.adaption_s;
-    counters["ms_output"] = per_step * t.output_s;
+    counters["ms_step"] = per_step * t.times.step;
+    counters["ms_level_set"] = per_step * t.times.level_set;
+    counters["ms_interpolation"] = per_step * t.times.interpolation;
+    counters["ms_adaption"] = per_step * t.times.adaption;
+    counters["ms_output"] = per_step * t.times.output;
     counters["setup_s"] = t.setup_s;
     counters["first_step_s"] = t.first_step_s;
     counters["peak_memory_MB"] = t.peak_memory_MB;
@@ -68,7 +68,7 @@ void timeScene(benchmark::State& state, const Scene& given, const JobLimits& lim
 
 void registerScene(const std::string& body, Scene scene, const std::string& method, int vertices,
                    const JobLimits& limits) {
-  scene.solver.method = method;
+  scene.solver.method = methodNamed(method);
   const std::string name = fmt::format("fps/body:{}/n:{}/method:{}", body, vertices, method);
   benchmark::RegisterBenchmark(name.c_str(),
                                [scene, limits](benchmark::State& state) { timeScene(state, scene, limits); })

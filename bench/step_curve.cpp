@@ -115,8 +115,8 @@ class Trial {
     counters["cg_iterations"] = summary.cg_iterations;
     counters["factorisations"] = summary.factorisations;
     counters["projective_iterations"] = summary.projective_iterations;
-    counters["handed_over"] = summary.handed_over ? 1.0 : 0.0;
-    counters["converged"] = summary.converged ? 1.0 : 0.0;
+    counters["handed_over"] = static_cast<double>(summary.handed_over);
+    counters["converged"] = summary.converged() ? 1.0 : 0.0;
     counters["setup_ms"] = setup_ms_;
   }
 

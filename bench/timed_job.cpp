@@ -8,7 +8,8 @@
 #include <chrono>
 #include <cstring>
 
-#include "apps/run.h"
+#include "apps/scene_run.h"
+#include "apps/series_of_run.h"
 #include "solver/base/error.h"
 #include "solver/io/mesh_io.h"
 
@@ -22,14 +23,15 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// What counts in a record, so that the first step can be taken away.
-struct Counted {
-  double seconds[5];
-  long counts[3];
-  explicit Counted(const PassRecord& r)
-      : seconds{r.step_s, r.level_set_s, r.interpolation_s, r.adaption_s, r.output_s},
-        counts{r.handed_over, r.newton_iterations, r.projective_iterations} {}
-};
+/// What came after an earlier moment.
+PassTimes operator-(const PassTimes& later, const PassTimes& earlier) {
+  return {later.total - earlier.total,
+          later.step - earlier.step,
+          later.interpolation - earlier.interpolation,
+          later.level_set - earlier.level_set,
+          later.adaption - earlier.adaption,
+          later.output - earlier.output};
+}
 
 class Job {
  public:
@@ -46,33 +48,29 @@ class Job {
     MovingBody body = movingBody(scene_, input);
     timing_.setup_s = secondsSince(start);
     const ScratchDirectory scratch;
-    SeriesOfRun series(scratch.path, given, numbering);
-    const std::vector<double> first_areas = cloth.restAreas();
+    SeriesOfRun series(scratch.path, given, numbering, cloth.restAreas());
 
-    RunOptions options;
-    options.series = &series;
-    options.first_areas = &first_areas;
-    options.interrupted = &enough_;
-    options.on_step = [&](const Moment&) { countStep(body); };
-    State state;
     begin_ = Clock::now();
+    const RunInput run_input = runInput(scene_, input, &body);
+    Run run(runSettings(scene_, adaptingSchedule(scene_)), run_input, cloth);
+    RunWatch watch;
+    watch.on_frame = [&](const Snapshot& snapshot) { series.write(snapshot); };
+    watch.on_step = [&](const Moment&) { countStep(run.record()); };
+    watch.interrupted = &enough_;
     try {
-      runMotion(scene_, input, &body, cloth, options, state, record_);
+      run.run(watch);
     } catch (const ComputationError& error) {
       std::strncpy(timing_.failure, error.what(), sizeof timing_.failure - 1);
       return;
     }
-    report();
+    report(run.record());
   }
 
  private:
-  void countStep(const MovingBody& body) {
+  void countStep(const PassRecord& record) {
     if (++steps_ == 1) {
       timing_.first_step_s = secondsSince(begin_);
-      first_ = Counted(record_);
-      // The body's times get into the record at the end only.
-      first_.seconds[1] = body.times().level_set_s;
-      first_.seconds[2] = body.times().interpolation_s;
+      first_ = record;
       begin_ = Clock::now();
       return;
     }
@@ -81,24 +79,22 @@ class Job {
     enough_ = timed >= limits_.steps || (timed >= limits_.least && timing_.run_s > limits_.seconds);
   }
 
-  void report() {
-    const Counted all(record_);
+  void report(const PassRecord& record) {
     timing_.steps = steps_ - 1;
-    timing_.substeps = record_.division.time_steps;
-    double* const seconds[] = {&timing_.step_s, &timing_.level_set_s, &timing_.interpolation_s, &timing_.adaption_s,
-                               &timing_.output_s};
-    for (int k = 0; k < 5; ++k) *seconds[k] = all.seconds[k] - first_.seconds[k];
-    double* const counts[] = {&timing_.handed_over, &timing_.newton_iterations, &timing_.projective_iterations};
-    for (int k = 0; k < 3; ++k) *counts[k] = static_cast<double>(all.counts[k] - first_.counts[k]);
-    const Penetration& deepest = record_.penetration;
+    timing_.substeps = record.substeps.time;
+    timing_.times = record.times - first_.times;
+    timing_.handed_over = static_cast<double>(record.solver.handed_over - first_.solver.handed_over);
+    timing_.newton_iterations = static_cast<double>(record.solver.newton_iterations - first_.solver.newton_iterations);
+    timing_.projective_iterations =
+        static_cast<double>(record.solver.projective_iterations - first_.solver.projective_iterations);
+    const Penetration& deepest = record.penetration;
     timing_.penetration_mm = 1e3 * std::max({deepest.vertices, deepest.edge_midpoints, deepest.centroids});
   }
 
   const Scene& scene_;
   const JobLimits& limits_;
   JobTiming& timing_;
-  PassRecord record_;
-  Counted first_{record_};
+  PassRecord first_;  // after the first step
   std::atomic<bool> enough_ = false;
   int steps_ = 0;
   Clock::time_point begin_;

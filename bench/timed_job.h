@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "adaption/pass_record.h"
 #include "apps/scene.h"
 
 namespace ease {
@@ -21,7 +22,7 @@ struct JobTiming {
   double setup_s = 0.0;       // reading garment and body
   double first_step_s = 0.0;  // with the first level set
   double run_s = 0.0;         // everything else
-  double step_s = 0.0, level_set_s = 0.0, interpolation_s = 0.0, adaption_s = 0.0, output_s = 0.0;
+  PassTimes times;
   double peak_memory_MB = 0.0;
   double handed_over = 0.0, newton_iterations = 0.0, projective_iterations = 0.0;
   double penetration_mm = 0.0;  // deepest sample

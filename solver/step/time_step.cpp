@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <stdexcept>
 
 #include "solver/base/error.h"
 
@@ -21,13 +21,19 @@ constexpr double kStale = 4e-3;  // m: a vertex that moved this far since contac
 
 }  // namespace
 
+const std::vector<std::string>& methodNames() {
+  static const std::vector<std::string> names = {"bw1", "newton", "pd", "pd-lbfgs", "auto"};  // in the enum's order
+  return names;
+}
+
+const std::string& nameOf(Method method) {
+  return methodNames()[static_cast<size_t>(method)];
+}
+
 Method methodNamed(const std::string& name) {
-  static const std::map<std::string, Method> methods = {{"bw1", Method::bw1},
-                                                        {"newton", Method::newton},
-                                                        {"pd", Method::pd},
-                                                        {"pd-lbfgs", Method::pd_lbfgs},
-                                                        {"auto", Method::automatic}};
-  return methods.at(name);
+  const auto found = std::find(methodNames().begin(), methodNames().end(), name);
+  if (found == methodNames().end()) throw std::out_of_range(name);
+  return static_cast<Method>(found - methodNames().begin());
 }
 
 TimeStep::TimeStep(const Cloth& cloth, const MethodOptions& options, std::span<const int> ordering)
@@ -60,13 +66,25 @@ void TimeStep::liftOut(Positions& x) const {
     if (sample < x.rows()) lift(sample, plane);
 }
 
+StepSummary& StepSummary::operator+=(const StepSummary& other) {
+  newton_iterations += other.newton_iterations;
+  projective_iterations += other.projective_iterations;
+  cg_iterations += other.cg_iterations;
+  factorisations += other.factorisations;
+  halvings += other.halvings;
+  contact_rounds += other.contact_rounds;
+  handed_over += other.handed_over;
+  short_of_tolerance += other.short_of_tolerance;
+  return *this;
+}
+
 void TimeStep::newton(const StopRule& stop, StepSummary& summary) {
   const MinimiserSummary s = newton_->minimise(potential_, fixed_, stop, point_);
   summary.newton_iterations += s.iterations;
   summary.cg_iterations += s.cg_iterations;
   summary.factorisations += s.factorisations;
   summary.halvings += s.halvings;
-  summary.converged = s.converged;
+  summary.short_of_tolerance = s.converged ? 0 : 1;
 }
 
 void TimeStep::projective(const StopRule& stop, bool accelerated, StepSummary& summary) {
@@ -74,7 +92,7 @@ void TimeStep::projective(const StopRule& stop, bool accelerated, StepSummary& s
   summary.projective_iterations += s.iterations;
   summary.factorisations += s.factorisations;
   summary.halvings += s.halvings;
-  summary.converged = s.converged;
+  summary.short_of_tolerance = s.converged ? 0 : 1;
 }
 
 void TimeStep::minimise(StepSummary& summary) {
@@ -92,8 +110,8 @@ void TimeStep::minimise(StepSummary& summary) {
   }
   if (!choice_.newtonFirst()) {
     projective({kMostProjective, options_.tolerance, 0.0, choice_.patience()}, true, summary);
-    if (summary.converged) return;
-    summary.handed_over = true;
+    if (summary.converged()) return;
+    summary.handed_over = 1;
   }
   newton({kMostNewton, options_.tolerance}, summary);
 }
@@ -123,9 +141,10 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
     stale = !contacts_.planes.empty() && (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStale * kStale;
   }
   if (options_.method == Method::automatic)
-    choice_.took(summary.projective_iterations,
-                 kNewtonCost * summary.newton_iterations + kCgCost * summary.cg_iterations,
-                 summary.newton_iterations > 0 ? kFactorCost * summary.factorisations : 0.0);
+    choice_.took(static_cast<double>(summary.projective_iterations),
+                 kNewtonCost * static_cast<double>(summary.newton_iterations) +
+                     kCgCost * static_cast<double>(summary.cg_iterations),
+                 summary.newton_iterations > 0 ? kFactorCost * static_cast<double>(summary.factorisations) : 0.0);
   if (!point_.x.allFinite()) throw ComputationError("a position is not finite");
   state.velocities = (point_.x - state.positions) / options.h;
   state.positions = point_.x;

@@ -24,7 +24,10 @@ namespace ease {
 
 enum class Method { bw1, newton, pd, pd_lbfgs, automatic };
 
-/// Names as in a scene; throws std::out_of_range for others.
+/// Names as a scene has them: bw1, newton, pd, pd-lbfgs, auto.
+const std::vector<std::string>& methodNames();
+const std::string& nameOf(Method method);
+/// Throws std::out_of_range where there is no such method.
 Method methodNamed(const std::string& name);
 
 struct MethodOptions {
@@ -44,15 +47,20 @@ struct Pins {
 /// touch.
 using FindContacts = std::function<void(const Positions& x, Contacts& contacts)>;
 
+/// What a time step, or several, took.
 struct StepSummary {
-  int newton_iterations = 0;
-  int projective_iterations = 0;
-  int cg_iterations = 0;
-  int factorisations = 0;
-  int halvings = 0;          // of a correction that would have raised the potential
-  int contact_rounds = 0;    // times that contacts were found
-  bool handed_over = false;  // auto: to Newton
-  bool converged = false;    // else stopped short of the tolerance, by rounding or by the number of iterations
+  long newton_iterations = 0;
+  long projective_iterations = 0;
+  long cg_iterations = 0;
+  long factorisations = 0;
+  long halvings = 0;        // of corrections that would have raised the potential
+  long contact_rounds = 0;  // how often contacts were found
+  long handed_over = 0;     // time steps in which `auto` went from pd-lbfgs to Newton
+  long short_of_tolerance =
+      0;  // time steps that ended before the tolerance was met, by round-off or the iteration limit
+
+  bool converged() const { return short_of_tolerance == 0; }
+  StepSummary& operator+=(const StepSummary& other);
 };
 
 class TimeStep {

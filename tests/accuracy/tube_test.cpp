@@ -7,7 +7,7 @@
 
 #include "adaption/clip.h"
 #include "adaption/stitch.h"
-#include "apps/run.h"
+#include "apps/scene_run.h"
 #include "tests/accuracy/equilibrium.h"
 #include "tests/accuracy/meshes.h"
 #include "tests/collision/bodies.h"
@@ -176,9 +176,9 @@ TEST_CASE("a tube on a cylinder too thick for it adapts until it is within the l
     Cloth cloth(input.garment, Vec3::UnitY(), scene.material);
     const double first = restCircumferences(cloth)[kAlong / 2];
     MovingBody body = movingBody(scene, input);
-    State state;
-    PassRecord record;
-    runMotion(scene, input, &body, cloth, {}, state, record);
+    const RunInput run_input = runInput(scene, input, &body);
+    Run run(runSettings(scene, adaptingSchedule(scene)), run_input, cloth);
+    run.run();
     adapted.push_back(restCircumferences(cloth)[kAlong / 2]);
     // Adaption acts above one stretch, less than 1 + limit, and lets out to another, less than that (StretchGoal).
     const double thickest = 2.0 * M_PI * (0.1 + kOffset);
@@ -186,7 +186,7 @@ TEST_CASE("a tube on a cylinder too thick for it adapts until it is within the l
     CHECK(adapted.back() > thickest / (1.0 + limit));
     CHECK(adapted.back() > 0.995 * thickest / goal.act_above);
     CHECK(adapted.back() < 1.005 * thickest / goal.grow_to);
-    CHECK(record.stretch.overall.max > 1.0 + 0.7 * limit);
+    CHECK(run.record().stretch.overall.max > 1.0 + 0.7 * limit);
   }
   CHECK(adapted[0] == Approx(adapted[1]).epsilon(0.01));
 }

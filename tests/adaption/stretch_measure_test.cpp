@@ -12,7 +12,7 @@ TEST_CASE("principal stretches are the singular values, and their direction the 
   for (int i = 0; i < 40; i += 2) {
     const Mat32 F = random.middleRows<2>(i).transpose();
     const Stretch s = principalStretch(F.transpose() * F);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(F, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::JacobiSVD<Mat32> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
     CHECK(s.sigma_1 == Approx(svd.singularValues()[0]).epsilon(1e-12));
     CHECK(s.sigma_2 == Approx(svd.singularValues()[1]).margin(1e-7));
     CHECK(std::abs(s.direction.dot(svd.matrixV().col(0))) == Approx(1.0).epsilon(1e-9));

@@ -14,17 +14,17 @@ namespace {
 
 Checkpoint someCheckpoint() {
   Checkpoint c;
-  c.done = {130, 120, 10};
+  c.run.done = {130, 120, 10};
   c.poses_met = {7, 8, 9};
   c.time_step_s = 0.0025;
   c.steps_per_pose = 4;
   c.interpolation_steps = 60;
-  c.state = {randomPositions(7, 1), randomPositions(7, 2)};
+  c.run.cloth = {randomPositions(7, 1), randomPositions(7, 2)};
   c.start = {{randomPositions(7, 4), Triangles::Constant(5, 3, 6)}, 0.005};
   c.first_rest = {randomPositions(7, 5), std::vector<Mat2>(5, Mat2::Identity())};
-  c.rest = {randomPositions(7, 3), std::vector<Mat2>(5, (Mat2() << 1.0 / 3.0, 0.1, 0.0, 2.0).finished())};
+  c.run.rest = {randomPositions(7, 3), std::vector<Mat2>(5, (Mat2() << 1.0 / 3.0, 0.1, 0.0, 2.0).finished())};
   c.paint = {1.0, 1.1, 1.2, 1.0, 0.9};
-  c.pins = {{3, 7, {0.1, 0.2, 0.3}}, {1, -1, {1.0, 2.0, 3.0}}};
+  c.run.pins = {{3, 7, {0.1, 0.2, 0.3}}, {1, -1, {1.0, 2.0, 3.0}}};
   c.numbering = {{6, 5, 4, 3, 2, 1, 0}, {1, 0, 2, 4, 3}};
   return c;
 }
@@ -37,29 +37,29 @@ TEST_CASE("a checkpoint is read as it was written, to the last bit") {
   const Checkpoint written = someCheckpoint();
   writeCheckpoint(file, written);
   const Checkpoint read = readCheckpoint(file);
-  CHECK(read.done.all == written.done.all);
-  CHECK(read.done.moving == written.done.moving);
-  CHECK(read.done.still == written.done.still);
+  CHECK(read.run.done.all == written.run.done.all);
+  CHECK(read.run.done.moving == written.run.done.moving);
+  CHECK(read.run.done.still == written.run.done.still);
   CHECK(read.poses_met == written.poses_met);
   CHECK(read.time_step_s == written.time_step_s);
   CHECK(read.steps_per_pose == written.steps_per_pose);
   CHECK(read.interpolation_steps == written.interpolation_steps);
-  CHECK(read.state.positions == written.state.positions);
-  CHECK(read.state.velocities == written.state.velocities);
+  CHECK(read.run.cloth.positions == written.run.cloth.positions);
+  CHECK(read.run.cloth.velocities == written.run.cloth.velocities);
   CHECK(read.start.mesh.positions == written.start.mesh.positions);
   CHECK(read.start.mesh.triangles == written.start.mesh.triangles);
   CHECK(read.start.offset == written.start.offset);
   CHECK(read.first_rest.positions == written.first_rest.positions);
   CHECK(read.first_rest.edges == written.first_rest.edges);
-  CHECK(read.rest.positions == written.rest.positions);
-  CHECK(read.rest.edges == written.rest.edges);
+  CHECK(read.run.rest.positions == written.run.rest.positions);
+  CHECK(read.run.rest.edges == written.run.rest.edges);
   CHECK(read.paint == written.paint);
-  CHECK(read.wanted_edges.empty());
-  REQUIRE(read.pins.size() == 2);
+  CHECK(read.run.wanted_edges.empty());
+  REQUIRE(read.run.pins.size() == 2);
   for (int k = 0; k < 2; ++k) {
-    CHECK(read.pins[k].vertex == written.pins[k].vertex);
-    CHECK(read.pins[k].triangle == written.pins[k].triangle);
-    CHECK(read.pins[k].local == written.pins[k].local);
+    CHECK(read.run.pins[k].vertex == written.run.pins[k].vertex);
+    CHECK(read.run.pins[k].triangle == written.run.pins[k].triangle);
+    CHECK(read.run.pins[k].local == written.run.pins[k].local);
   }
   CHECK(read.numbering.vertices == written.numbering.vertices);
   CHECK(read.numbering.triangles == written.numbering.triangles);

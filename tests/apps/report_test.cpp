@@ -16,8 +16,8 @@ Report verifiedReport() {
   report.setup_s = 1.0;
   report.total_s = 31.0;
   report.run.steps = 360;
-  report.run.wall_s = 5.0;
-  report.run.step_s = 4.0;
+  report.run.times.total = 5.0;
+  report.run.times.step = 4.0;
   report.run.penetration.vertices = 1e-3;
   report.after.penetration.edge_midpoints = 3e-3;
   report.verified = true;

@@ -20,7 +20,7 @@ TEST_CASE("the smallest scene has the defaults") {
   CHECK(scene.material.density == 0.15);
   CHECK_FALSE(scene.material.total_mass);
   CHECK(scene.material.bending == 0.0);
-  CHECK(scene.solver.method == "auto");
+  CHECK(scene.solver.method == Method::automatic);
   CHECK(scene.solver.time_step == 0.0025);
   CHECK(scene.solver.steps_per_pose == 4);
   CHECK(scene.collision.offset == 0.005);

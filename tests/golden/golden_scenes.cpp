@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "apps/run.h"
+#include "apps/scene_run.h"
 #include "solver/base/error.h"
 #include "tests/accuracy/meshes.h"
 #include "tests/collision/bodies.h"
@@ -122,17 +122,17 @@ std::vector<GoldenCase> goldenCases() {
 GoldenResult runGolden(const GoldenCase& which, double disturbance) {
   Prepared p = prepare(which.scene);
   p.input.garment.positions += disturbance * randomPositions(static_cast<int>(p.input.garment.positions.rows()), 11);
-  p.scene.solver.method = which.method;
+  p.scene.solver.method = methodNamed(which.method);
   p.scene.solver.tolerance = 1e-6;
   p.scene.solver.residual = 1e-5;
   Cloth cloth(p.input.garment, p.scene.garment.grain, p.scene.material);
   p.input.offsets.assign(p.input.garment.positions.rows(), p.scene.collision.offset);
   std::optional<MovingBody> body;
   if (p.scene.body) body.emplace(movingBody(p.scene, p.input));
-  State state;
-  PassRecord record;
-  runMotion(p.scene, p.input, body ? &*body : nullptr, cloth, {}, state, record);
-  return {state.positions, cloth.restPositions()};
+  const RunInput input = runInput(p.scene, p.input, body ? &*body : nullptr);
+  Run run(runSettings(p.scene, adaptingSchedule(p.scene)), input, cloth);
+  run.run();
+  return {run.state().positions, cloth.restPositions()};
 }
 
 std::string buildName() {

@@ -187,8 +187,8 @@ TEST_CASE("auto hands over to Newton where the projective method is slow, and no
     int handed_over = 0;
     for (int i = 0; i < 10; ++i) {
       const StepSummary summary = step.step(state, options, pins, kNoContacts);
-      handed_over += summary.handed_over ? 1 : 0;
-      CHECK(summary.converged);
+      handed_over += static_cast<int>(summary.handed_over);
+      CHECK(summary.converged());
     }
     CHECK((handed_over > 0) == hard);
   }

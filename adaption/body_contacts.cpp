@@ -1,0 +1,82 @@
+#include "adaption/body_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ease {
+
+BodyContacts::BodyContacts(MovingBody& body, const Cloth& cloth, std::span<const double> offsets,
+                           const Schedule& schedule, const Substeps& substeps, double max_recovery)
+    : body_(body),
+      times_before_(body.times()),
+      voxels_before_(body.voxelsOnDemand()),
+      cloth_(cloth),
+      parts_(substeps.time),
+      parts_per_shape_(schedule.steps_per_pose * substeps.time / substeps.interpolation),
+      moving_parts_(schedule.poses > 1 ? timeStepsOfMotion(schedule) * schedule.cycles * substeps.time : 0),
+      max_recovery_(max_recovery) {
+  sampleOffsets(offsets, cloth.triangles(), cloth.topology().edges, offsets_);
+}
+
+int BodyContacts::partNumber(const Moment& moment, int part) const {
+  return moment.moves ? (moment.done.moving - 1) * parts_ + part : moment.done.moving * parts_;
+}
+
+int BodyContacts::shapeAt(int part_number) const {
+  return static_cast<int>(std::lround(part_number / static_cast<double>(parts_per_shape_)));
+}
+
+double BodyContacts::bodyAt(const Moment& moment, int part) const {
+  return partNumber(moment, part) / static_cast<double>(parts_per_shape_);
+}
+
+double BodyContacts::bodyAt(const StepsDone& done) const {
+  return done.moving * parts_ / static_cast<double>(parts_per_shape_);
+}
+
+void BodyContacts::prepareFirst(const StepsDone& done, const Positions& x) {
+  const int now = done.moving * parts_, next = std::max(now, std::min(now + 1, moving_parts_));
+  samplesAt(x);
+  for (int k = shapeAt(now); k <= shapeAt(next); ++k) body_.prepare(k, samples_);
+}
+
+void BodyContacts::prepareNext(const Moment& moment, int part, const State& state, double part_s, TaskBeside& beside) {
+  const int now = partNumber(moment, part), next = std::min(now + 1, moving_parts_);
+  if (!moment.moves || shapeAt(next) == shapeAt(now)) return;
+  // Where the samples will be, at their present velocity, half-way through the use of that level set.
+  const double ahead_s = part_s * (1.0 + 0.5 * parts_per_shape_);
+  sampleCloth(state.positions + ahead_s * state.velocities, cloth_.triangles(), cloth_.topology().edges,
+              expected_samples_);
+  beside.run([this, k = shapeAt(next)] { body_.prepare(k, expected_samples_); });
+}
+
+void BodyContacts::find(double s, const Positions& x, Contacts& contacts) {
+  finder_.find(body_.at(s), samplesAt(x), offsets_, max_recovery_, contacts);
+}
+
+void BodyContacts::measure(double s, const Positions& x) {
+  finder_.distances(body_.at(s), samplesAt(x), distances_);
+}
+
+void BodyContacts::measureSinceFind(const Positions& x) {
+  finder_.distancesSinceFind(samplesAt(x), distances_);
+}
+
+void BodyContacts::deepen(Penetration& penetration) const {
+  penetration.deepen(distances_, cloth_.vertexCount(), static_cast<int>(cloth_.topology().edges.size()));
+}
+
+void BodyContacts::recordUse(PassRecord& record) const {
+  record.times.interpolation = body_.times().interpolation_s - times_before_.interpolation_s;
+  record.times.level_set = body_.times().level_set_s - times_before_.level_set_s;
+  record.voxels_on_demand = body_.voxelsOnDemand() - voxels_before_;
+  record.level_set_MB = static_cast<double>(body_.levelSetBytes()) / 1e6;
+  record.contact = finder_.rescues();
+}
+
+std::span<const Vec3> BodyContacts::samplesAt(const Positions& x) {
+  sampleCloth(x, cloth_.triangles(), cloth_.topology().edges, samples_);
+  return samples_;
+}
+
+}  // namespace ease

@@ -1,0 +1,51 @@
+// What is recorded of one pass: the cloth carried once through its schedule.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "adaption/stretch_measure.h"
+#include "adaption/substeps.h"
+#include "collision/contacts.h"
+#include "solver/step/time_step.h"
+
+namespace ease {
+
+/// Largest principal stretch over all measured moments, and in every pose that was reached.
+struct StretchRecord {
+  StretchStatistics overall;  // the largest of each statistic
+  int moments = 0;            // measured so far
+  std::vector<std::optional<StretchStatistics>> poses;
+
+  /// Adds a measured moment.  `pose`: the one that the body has reached, -1: none.
+  void add(const StretchStatistics& moment, int pose);
+};
+
+/// Wall time, s.
+struct PassTimes {
+  double total = 0.0;          // of the whole pass
+  double step = 0.0;           // minimising, and finding contacts
+  double interpolation = 0.0;  // of poses, on the thread beside the steps
+  double level_set = 0.0;      // on the thread beside the steps
+  double adaption = 0.0;       // measuring, clipping, stitching
+  double output = 0.0;         // frames and checkpoints
+};
+
+struct PassRecord {
+  int steps = 0;         // time steps done
+  int settle_steps = 0;  // among them, those after the motion
+  int adaptions = 0;     // how often the rest shape was let out
+  int fully_grown = 0;   // triangles over the limit that have grown as far as they may (clip.h), at the end
+  Substeps substeps;
+  StretchRecord stretch;
+  Penetration penetration;
+  double final_speed_m_s = 0.0;    // of the fastest vertex
+  double contact_stiffness = 0.0;  // used, N/m^3
+  StepSummary solver;              // sum over all steps
+  ContactRescues contact;
+  long voxels_on_demand = 0;  // that no level set had foreseen
+  double level_set_MB = 0.0;
+  PassTimes times;
+};
+
+}  // namespace ease
