@@ -24,19 +24,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Reads and makes what a scene names; throws Interrupted where the user does not want to wait for it.
+/// Reads the scene's meshes and makes its garment, printing warnings.  Throws Interrupted once `interrupted` is true.
 SceneInput readWithWarnings(const Scene& scene, const std::atomic<bool>& interrupted,
-                            const StartGarment* before = nullptr) {
+                            const StartGarment* start = nullptr) {
   const auto pause = [&] {
     if (interrupted) throw Interrupted();
   };
   const SceneInput input = readSceneInput(
-      scene, [](const std::string& warning) { say("warning", warning); }, before, pause);
+      scene, [](const std::string& warning) { say("warning", warning); }, start, pause);
   pause();
   return input;
 }
 
-/// What `ease check` prints: enough to see whether the scene is the one that was meant.
+/// Prints what `ease check` tells: enough to see whether the scene is the one that was meant.
 void printSummary(const Scene& scene, const SceneInput& input) {
   const Topology topology = buildTopology(input.garment, scene.name);
   size_t pinned = 0;
@@ -115,8 +115,8 @@ ExitCode garmentCommand(const Arguments& arguments, const std::atomic<bool>& int
                                  arguments.scene));
   const SceneInput input = readWithWarnings(scene, interrupted);
   const fs::path directory = directoryOf(arguments, scene);
-  const ResultDirectory made(directory);
-  made.removeOldGarment(scene);
+  const ResultDirectory results(directory);
+  results.removeOldGarment(scene);
   fmt::print("{}", writeGarment(scene, input, directory, interrupted));
   if (arguments.pieces && !interrupted)
     fmt::print("{}", writePieces(input.garment, input.authored->seams, directory, "pieces"));
@@ -130,28 +130,29 @@ ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interru
   if (arguments.threads >= 0) scene.solver.threads = arguments.threads;
   const fs::path directory = directoryOf(arguments, scene);
 
-  // An arena of our own: the implicit one takes its size at first use, whatever is asked for later.
+  // TBB's implicit arena fixes its number of threads at first use; ours has the number that is asked for.
   const int threads = scene.solver.threads;
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   return arena.execute([&] {
-    std::optional<Checkpoint> from;
-    if (!arguments.resumed.empty()) from = checkpointIn(arguments.resumed);
-    const SceneInput input = readWithWarnings(scene, interrupted, from ? &from->start : nullptr);
+    std::optional<Checkpoint> checkpoint;
+    if (!arguments.resumed.empty()) checkpoint = checkpointIn(arguments.resumed);
+    const SceneInput input = readWithWarnings(scene, interrupted, checkpoint ? &checkpoint->start : nullptr);
     substepsOf(scene, input);  // refuses what cannot be simulated
-    if (from) checkGoesOn(*from, arguments.resumed, scene, input);
+    if (checkpoint) checkResumable(*checkpoint, arguments.resumed, scene, input);
     const bool replays = scene.adaption && scene.adaption->verify;
-    if (from && timeline(adaptingSchedule(scene), from->run.done).empty() && isFinished(arguments.resumed, replays)) {
+    if (checkpoint && timeline(adaptingSchedule(scene), checkpoint->run.done).empty() &&
+        isFinished(arguments.resumed, replays)) {
       fmt::print("nothing left to do: the run in {} is at the end; it goes on with more poses, cycles or steps\n",
                  arguments.resumed);
       return kDone;
     }
-    const ResultDirectory made(directory);
-    made.removeOldGarment(scene);
+    const ResultDirectory results(directory);
+    results.removeOldGarment(scene);
     if (input.authored) writeGarment(scene, input, directory, interrupted);
     try {
-      std::error_code apart;
-      const bool here = from && fs::equivalent(directory, arguments.resumed, apart);
-      if (runScene(scene, input, directory, interrupted, from, here)) return kDone;
+      std::error_code differs;
+      const bool same_directory = checkpoint && fs::equivalent(directory, arguments.resumed, differs);
+      if (runScene(scene, input, directory, interrupted, checkpoint, same_directory)) return kDone;
     } catch (const ComputationError& error) {
       throw ComputationError(fmt::format("{}; what was written until then is in {}", error.what(), directory.string()));
     }

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Without adaption there is no limit to be over.  Null: not measured.
+/// `limited`: there is a limit, so that the share of triangles over it has a meaning.  What was not measured is null.
 Json statistics(const std::optional<StretchStatistics>& s, bool limited) {
   Json json = {{"max", s ? Json(s->max) : Json()}, {"p99", s ? Json(s->p99) : Json()}};
   if (limited) json["share_over_limit"] = s ? Json(s->share_over_limit) : Json();
@@ -55,7 +55,7 @@ double perSecond(int steps, double seconds) {
   return seconds > 0.0 ? steps / seconds : 0.0;
 }
 
-/// What was measured, or null.
+/// The value where it was measured, otherwise null.
 Json measuredIf(bool measured, const Json& value) {
   return measured ? value : Json();
 }
@@ -144,10 +144,10 @@ void writeReport(const Report& report, const Scene& scene, const std::filesystem
 }
 
 std::vector<std::string> depthWarnings(const Report& report) {
-  constexpr double kWorrying = 2e-3;  // m
+  constexpr double kMaxDepth = 2e-3;  // m: deeper penetration is warned of
   std::vector<std::string> warnings;
   const auto warn = [&](const char* garment, const Penetration& depth, const char* when) {
-    if (deepest(depth) > kWorrying)
+    if (deepest(depth) > kMaxDepth)
       warnings.push_back(fmt::format("{} went {:.1f} mm into the body{}", garment, 1e3 * deepest(depth), when));
   };
   if (report.verified) warn("the adapted garment", report.after.penetration, ", replayed");

@@ -16,22 +16,23 @@ using nlohmann::literals::operator""_json_pointer;
 
 namespace {
 
-/// Where the body has been it must have been in this scene's motion too; otherwise it would jump.
-void checkWay(const Checkpoint& from, const std::string& directory, const Scene& scene, const SceneInput& input) {
-  const std::vector<std::uint64_t> met = posesMet(scene, input, from.run.done);
+/// Throws InputError unless the scene's motion begins with the poses that the body has met; otherwise it would jump.
+void checkPosesMet(const Checkpoint& checkpoint, const std::string& directory, const Scene& scene,
+                   const SceneInput& input) {
+  const std::vector<std::uint64_t> met = posesMet(scene, input, checkpoint.run.done);
   const std::vector<int> poses = posesOfMotion(adaptingSchedule(scene));
   const std::string key = scene.file.string() + ": [body] poses";
-  for (size_t k = 0; k < std::min(met.size(), from.poses_met.size()); ++k)
-    if (met[k] != from.poses_met[k])
+  for (size_t k = 0; k < std::min(met.size(), checkpoint.poses_met.size()); ++k)
+    if (met[k] != checkpoint.poses_met[k])
       throw InputError(
           fmt::format("{}: number {} of the motion, '{}', is not what the run in {} met there: expected "
                       "the same poses as far as it went; more may follow",
                       key, k + 1, input.pose_names[poses[k]], directory));
-  if (met.size() < from.poses_met.size())
+  if (met.size() < checkpoint.poses_met.size())
     throw InputError(
         fmt::format("{}: the motion has {} with its cycles, and the run in {} met {}: expected as many at "
                     "least",
-                    key, met.size(), directory, from.poses_met.size()));
+                    key, met.size(), directory, checkpoint.poses_met.size()));
 }
 
 }  // namespace
@@ -45,21 +46,21 @@ Checkpoint checkpointIn(const std::filesystem::path& directory) {
   return readCheckpoint(directory / kCheckpoint);
 }
 
-void checkGoesOn(const Checkpoint& from, const std::filesystem::path& directory, const Scene& scene,
-                 const SceneInput& input) {
+void checkResumable(const Checkpoint& checkpoint, const std::filesystem::path& directory, const Scene& scene,
+                    const SceneInput& input) {
   const auto expectSame = [&](const char* key, double before, double now) {
     if (before != now)
       throw InputError(fmt::format("{}: {} was {:g} and is {:g}: expected the same, to go on from there",
                                    (directory / kCheckpoint).string(), key, before, now));
   };
-  expectSame("[solver] time_step", from.time_step_s, scene.solver.time_step);
-  expectSame("[solver] steps_per_pose", from.steps_per_pose, scene.solver.steps_per_pose);
-  expectSame("[body] steps", from.interpolation_steps, scene.body ? scene.body->steps : 0);
-  checkWay(from, directory.string(), scene, input);
+  expectSame("[solver] time_step", checkpoint.time_step_s, scene.solver.time_step);
+  expectSame("[solver] steps_per_pose", checkpoint.steps_per_pose, scene.solver.steps_per_pose);
+  expectSame("[body] steps", checkpoint.interpolation_steps, scene.body ? scene.body->steps : 0);
+  checkPosesMet(checkpoint, directory.string(), scene, input);
 }
 
-void startAs(const StartGarment& before, const std::string& name, const Warn& warn, SceneInput& input) {
-  const TriangleMesh &now = input.garment, &then = before.mesh;
+void takeStartFrom(const StartGarment& earlier, const std::string& name, const Warn& warn, SceneInput& input) {
+  const TriangleMesh &now = input.garment, &then = earlier.mesh;
   if (now.positions.rows() != then.positions.rows() || now.triangles.rows() != then.triangles.rows())
     throw InputError(
         fmt::format("{}: {} vertices and {} triangles: expected the garment of the run that goes on, {} "
@@ -84,7 +85,7 @@ std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input,
   const int leg = scene.body ? scene.body->steps * scene.solver.steps_per_pose : 0;
   std::vector<std::uint64_t> met;
   for (int k = 0; k < std::ssize(poses) && (k == 0 || done.moving > (k - 1) * leg); ++k) {
-    // Between two poses the body is not the same forth and back (gradient_interpolation.h).
+    // The shapes between two poses differ by direction (gradient_interpolation.h).
     const bool runs_back = done.moving < k * leg && poses[k] < poses[k - 1];
     const Positions& x = input.poses[poses[k]];
     met.push_back(fingerprint(x.data(), x.size() * sizeof(double)) + (runs_back ? 1 : 0));

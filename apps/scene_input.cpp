@@ -229,7 +229,7 @@ SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarme
   // A garment that is authored needs its body; otherwise its faults are told first.
   if (scene.garment.tools) readPoses(scene, warn, pause, input);
   const std::string name = readGarment(scene, before ? before->offset : scene.collision.offset, warn, pause, input);
-  if (before) startAs(*before, name, warn, input);
+  if (before) takeStartFrom(*before, name, warn, input);
   checkGeometry(input.garment, name);
   checkVerticesUsed(input.garment, name);
   const Topology topology = buildTopology(input.garment, name);
