@@ -47,6 +47,7 @@ class IncrementalPotential {
   void begin(const State& start, const StepOptions& options);
 
   void setContacts(const Contacts& contacts);
+  bool mayTouch() const { return !contacts_.empty(); }
 
   /// Gradient dE/dx, n x 3, N, and `motion` to x; returns E, J, up to a constant of the step.
   double gradient(const Positions& x, Positions& gradient, StepMotion* motion = nullptr);

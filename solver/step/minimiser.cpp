@@ -46,6 +46,22 @@ double relativeLength(const IncrementalPotential& potential, const Point& point,
   return std::sqrt(potential.kinetic(direction) / stepKinetic(potential, point.motion));
 }
 
+double setMeanMotion(const IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
+                     Positions& direction) {
+  if (potential.mayTouch() || std::find(fixed.begin(), fixed.end(), 1) != fixed.end()) return 0.0;
+  const std::vector<double>& masses = potential.cloth().masses();
+  const double h = potential.options().h;
+  Eigen::RowVector3d force = Eigen::RowVector3d::Zero();   // sum of the gradient, N
+  Eigen::RowVector3d moment = Eigen::RowVector3d::Zero();  // sum_i m_i d_i, kg m
+  for (int i = 0; i < direction.rows(); ++i) {
+    force += point.gradient.row(i);
+    moment += masses[i] * direction.row(i);
+  }
+  const Eigen::RowVector3d shift = -(h * h * force + moment) / potential.totalMass();
+  direction.rowwise() += shift;
+  return force.dot(shift);
+}
+
 int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
                 const Positions& direction, double slope, Point& next) {
   const double round_off = potential.roundOff(point.energy, point.motion);

@@ -48,6 +48,15 @@ double relativeDecrement(const IncrementalPotential& potential, const Point& poi
 /// |direction|_M over how far the step moves the cloth, as above.
 double relativeLength(const IncrementalPotential& potential, const Point& point, const Positions& direction);
 
+/// Sets the mean of a correction, weighted by mass, to what momentum alone determines where no vertex is pinned and
+/// nothing is near to touch:
+///   sum_i m_i d_i = -h^2 sum_i dE/dx_i
+/// since the cloth's own forces cancel in that sum.  In long steps inertia is so small beside these forces that the
+/// round-off of a single-precision factor would otherwise move the whole cloth by metres.  Returns the change of the
+/// slope gradient . direction, J.
+double setMeanMotion(const IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
+                     Positions& direction);
+
 /// Goes from `point` along `direction` (all of it, or half, or a quarter ...) until the potential is less, and writes
 /// where it arrives to `next`; slope = gradient . direction, J.  Close to the minimum, where the potential's decrease
 /// is lost in rounding, the slope tells.  Returns the number of halvings, or -1: no decrease.

@@ -51,6 +51,7 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     if (!ok) ok = direct(potential, Curvature::projected, point, summary);
     ++summary.iterations;
     if (!ok) throw ComputationError("the linear system of the step is not positive definite");
+    setMeanMotion(potential, fixed, point, direction_);
     const double slope = dot(point.gradient, direction_), length = relativeLength(potential, point, direction_);
     const int halvings = searchAlong(potential, fixed, point, direction_, slope, next_);
     if (halvings < 0) {

@@ -87,10 +87,11 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
 }
 
 /// The next correction; returns its slope, gradient . direction.
-double Projective::direct(const Positions& gradient) {
-  pairs_.bend(gradient, direction_);
+double Projective::direct(const IncrementalPotential& potential, const Point& point) {
+  pairs_.bend(point.gradient, direction_);
   system_.solveRounded(direction_, direction_);
-  return pairs_.bendBack(gradient, direction_);
+  const double slope = pairs_.bendBack(point.gradient, direction_);
+  return slope + setMeanMotion(potential, fixed_, point, direction_);
 }
 
 MinimiserSummary Projective::minimise(IncrementalPotential& potential, const std::vector<char>& fixed,
@@ -106,10 +107,10 @@ MinimiserSummary Projective::minimise(IncrementalPotential& potential, const std
       summary.converged = true;
       break;
     }
-    double slope = direct(point.gradient);
+    double slope = direct(potential, point);
     if (!(slope < 0.0)) {
       pairs_.clear();
-      slope = direct(point.gradient);
+      slope = direct(potential, point);
       if (!(slope < 0.0)) break;
     }
     if (stop.error > 0.0) {

@@ -43,7 +43,7 @@ class Projective {
 
  private:
   bool prepare(IncrementalPotential& potential, const std::vector<char>& fixed, bool accelerated, const Positions& x);
-  double direct(const Positions& gradient);
+  double direct(const IncrementalPotential& potential, const Point& point);
 
   GradientSystem system_;
   // What the factor was made of.

@@ -57,7 +57,10 @@ TEST_CASE("a mode of a strip stretched along its warp loses energy by exactly 1/
   TimeStep step = makeStep(cloth, tight(method));
   double energy = warpEnergy(cloth, state.positions) + kineticEnergy(cloth, state.velocities);
   REQUIRE(energy > 1e-6);
-  for (int n = 0; n < 5; ++n) {
+  // Positions near 0.8 m are rounded to 1e-16 m: once the mode moves by less than 1e-6 m in a step, that alone changes
+  // its energy by 1e-10.
+  const double smallest = 1e-5 * energy;
+  for (int n = 0; n < 5 && energy > smallest; ++n) {
     step.step(state, options, pins, kNoContacts);
     const double after = warpEnergy(cloth, state.positions) + kineticEnergy(cloth, state.velocities);
     CHECK(after / energy == Approx(1.0 / (1.0 + omega * omega * h * h)).epsilon(1e-10));
