@@ -1,4 +1,4 @@
-// Frames of the written series: which arrays a garment, a body and a rest shape bear.
+// Frames of the written series: the positions of a garment or rest shape and its arrays (output_arrays.h).
 #pragma once
 
 #include <vector>
@@ -11,23 +11,22 @@
 
 namespace ease {
 
-/// What a frame of the garment shows beside its positions.
+/// What the arrays of a garment's frame are computed from, besides the cloth and its state.
 struct GarmentFields {
   const std::vector<Stretch>& stretch;
-  const std::vector<double>& first_areas;  // of the first rest shape, m^2
+  const std::vector<double>& first_areas;  // areas of the first rest shape's triangles, m^2
   const std::vector<double>& gap;          // per vertex, m; empty without a body
   const std::vector<double>& pressure;     // per vertex, Pa; empty without a body
   const std::vector<int>& pinned;          // vertices
 };
 
-/// Per triangle: sigma_1, sigma_2, stretch_warp, stretch_weft, rest_area_ratio.  Per vertex: velocity_m_s, pinned,
-/// and on a body gap_m (distance less the comfort offset), contact_pressure_Pa.
+/// The garment at one moment with all arrays of a run; those of contact only on a body.
 Frame garmentFrame(const Cloth& cloth, const State& state, const GarmentFields& fields);
 
-/// The rest shape in space, with rest_area_ratio.
+/// The rest shape in space, with the arrays that belong to it.
 Frame restFrame(const Cloth& cloth, const std::vector<double>& first_areas);
 
-/// The frame of a mesh as it was before it was renumbered.
+/// Undoes the renumbering of a mesh: positions and arrays in their original order.
 Frame restored(const Frame& frame, const Numbering& numbering);
 
 }  // namespace ease

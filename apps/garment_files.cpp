@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "garment/pieces.h"
+#include "apps/output_arrays.h"
 #include "solver/base/whole_file.h"
 #include "solver/io/mesh_io.h"
 #include "viz/picture.h"
@@ -17,25 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Per vertex: loop and seam (their numbers, -1 none), offset_m, body_triangle (-1: none under it), pinned.  Per
-/// triangle: paint_scale.
-Frame garmentFrame(const SceneInput& input) {
-  const AuthoredGarment& authored = *input.authored;
-  const size_t vertices = input.garment.positions.rows(), triangles = input.garment.triangles.rows();
-  NamedArray loop{"loop", 1, std::vector<float>(vertices, -1.0F)};
-  for (size_t l = 0; l < authored.garment.loops.size(); ++l)
-    for (const int v : authored.garment.loops[l].vertices) loop.values[v] = static_cast<float>(l);
-  NamedArray seam{"seam", 1, std::vector<float>(vertices, -1.0F)};
-  for (size_t s = 0; s < authored.seams.size(); ++s)
-    for (const int v : authored.seams[s].vertices) seam.values[v] = static_cast<float>(s);
-  NamedArray offset{"offset_m", 1, {input.offsets.begin(), input.offsets.end()}};
-  NamedArray body{"body_triangle", 1, {authored.body_triangle.begin(), authored.body_triangle.end()}};
-  NamedArray pinned{"pinned", 1, std::vector<float>(vertices, 0.0F)};
-  for (const std::vector<int>& pin : input.pins)
-    for (const int v : pin) pinned.values[v] = 1.0F;
-  NamedArray paint{"paint_scale", 1, {input.paint.begin(), input.paint.end()}};
-  if (input.paint.empty()) paint.values.assign(triangles, 1.0F);
-  return {input.garment.positions, {loop, seam, offset, body, pinned}, {paint}};
+/// The made garment with the arrays that tell what the tools did.
+Frame madeGarmentFrame(const SceneInput& input) {
+  Frame frame{input.garment.positions, {}, {}};
+  for (const OutputArray<SceneInput>& array : madeGarmentArrays()) addArray(array, input, frame);
+  return frame;
 }
 
 Json qualityJson(const MeshQuality& quality) {
@@ -135,7 +121,7 @@ std::string writeGarment(const Scene& scene, const SceneInput& input, const std:
   writeWholeFile(directory / "garment.json", garmentJson(scene, input, quality).dump(1) + "\n");
   writeObj(directory / "garment.obj", input.garment);
   writeObj(directory / "body.obj", body);
-  writeVtp(directory / "garment.vtp", input.garment.triangles, garmentFrame(input));
+  writeVtp(directory / "garment.vtp", input.garment.triangles, madeGarmentFrame(input));
   std::string text = summaryOf(*input.authored);
   if (interrupted) return text;
   const std::string reason = drawGarment(input, quality, directory);
@@ -146,10 +132,10 @@ std::string writeGarment(const Scene& scene, const SceneInput& input, const std:
 std::string writePieces(const TriangleMesh& garment, const std::vector<Seam>& seams,
                         const std::filesystem::path& directory, const std::string& name) {
   const Pieces pieces = cutIntoPieces(garment, seams);
-  const NamedArray piece{"piece", 1, {pieces.piece.begin(), pieces.piece.end()}};
-  const NamedArray glue{"garment_vertex", 1, {pieces.glue.begin(), pieces.glue.end()}};
+  Frame frame{pieces.mesh.positions, {}, {}};
+  for (const OutputArray<Pieces>& array : pieceArrays()) addArray(array, pieces, frame);
   writeObj(directory / (name + ".obj"), pieces.mesh);
-  writeVtp(directory / (name + ".vtp"), pieces.mesh.triangles, {pieces.mesh.positions, {glue}, {piece}});
+  writeVtp(directory / (name + ".vtp"), pieces.mesh.triangles, frame);
   const Json json = {{"pieces", pieces.count}, {"garment_vertex", pieces.glue}, {"piece_of_triangle", pieces.piece}};
   writeWholeFile(directory / (name + ".json"), json.dump() + "\n");
   return fmt::format("pieces    {}, with {} vertices more than the garment\n", pieces.count,

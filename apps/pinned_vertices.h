@@ -8,8 +8,8 @@
 
 namespace ease {
 
-/// Of each [[garment.pin]], on the input's garment.  Throws InputError naming the pin: a loop that the garment does not
-/// have, no such vertex, an empty ball, a vertex that an earlier pin holds.
+/// Finds the vertices of each [[garment.pin]] on the input's garment.  Throws InputError naming the pin: a loop that
+/// the garment does not have, no such vertex, an empty ball, a vertex that an earlier pin holds.
 std::vector<std::vector<int>> pinnedVertices(const Scene& scene, const SceneInput& input, const Topology& topology);
 
 }  // namespace ease

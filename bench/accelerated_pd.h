@@ -23,15 +23,15 @@ enum class Acceleration { anderson, chebyshev };
 
 class AcceleratedPd {
  public:
-  /// As TimeStep's; `iterations` a step.
+  /// Arguments as of TimeStep, and the number of iterations in each step.
   AcceleratedPd(const Cloth& cloth, Acceleration acceleration, int iterations, std::span<const int> ordering);
 
-  /// Likewise; throws ComputationError also where there is a contact.
+  /// Takes one step, as TimeStep::step() does.  Throws ComputationError where there is a contact, too.
   StepSummary step(State& state, const StepOptions& options, const Pins& pins, const FindContacts& find_contacts);
 
  private:
   void factor(double h);
-  /// Fills F at the point, which is evaluated.
+  /// Computes F at the point, whose gradient must be up to date.
   void findCorrection();
   void measureRate();
   void anderson();

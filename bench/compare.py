@@ -29,7 +29,7 @@ from results import Case, read_results
 
 SLOWER = 1.1
 SINGLE_RUN = 1.25  # noise of a case that ran once
-# Of an error: how many times what it was, and above what it counts at all.
+# An error has grown if it is this many times as large as before; errors below the second number do not count.
 ERROR = (2.0, 1e-6)
 ENERGY_GAP = (10.0, 1e-4)
 GRADES = ("failed", "degraded", "converged")

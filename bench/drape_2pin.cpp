@@ -47,7 +47,8 @@ double meanStretch(const Cloth& cloth, const Positions& x) {
   return sum / area;
 }
 
-/// Of vertex (N/2, N/2), N along an edge being even: half a cell beyond the middle, where others take it too.
+/// Sag of vertex (N/2, N/2), m.  N, the vertices along an edge, is even, so that this vertex lies half a cell beyond
+/// the middle; other codes take theirs there, too.
 double centreSag(const Positions& x, int side) {
   return -x(side / 2 * side + side / 2, 1);
 }

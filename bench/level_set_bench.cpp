@@ -34,7 +34,7 @@ struct Subject {
   std::vector<Vec3> samples;  // of a garment
 };
 
-/// In mm; `wrong_signs` is a share.
+/// Errors of the level set's distances, mm; `wrong_signs` is the share of points on the wrong side.
 struct Errors {
   double median, p95, max, wrong_signs;
 };

@@ -9,7 +9,8 @@
 namespace ease {
 
 /// Bytes per second at which all threads together read `bytes` over and over; within a cache where they fit.  Each
-/// thread reads from one place or from four at once, whichever is sooner: from memory, one does not fill the bus.
+/// thread reads from one place or from four at once, whichever is faster: one place alone does not saturate the memory
+/// bus.
 double readBandwidth(size_t bytes);
 
 /// Floating-point operations per second of one thread, multiplying dense matrices.

@@ -152,7 +152,7 @@ struct System {
   }
 };
 
-/// Likewise.
+/// Makes the system when it is first asked for, and keeps it until another is.
 System& systemOf(int side, int rows) {
   static std::unique_ptr<System> system;
   static int made_for[2] = {0, 0};

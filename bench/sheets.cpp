@@ -13,15 +13,15 @@ namespace {
 
 constexpr double kDensity = 0.2;  // kg/m^2
 
-// Of the taut sheet.
+// The taut sheet:
 constexpr double kWiden = 1.05;
-// Of shaken pins.
+// Pins that are shaken:
 constexpr double kTravel = 0.15;    // m, from end to end
 constexpr double kFrequency = 2.0;  // Hz
-// Of the hanging sheet.
+// The hanging sheet:
 constexpr double kNarrow = 0.9;
 constexpr double kRipple = 5e-3;  // m: so that it need not buckle from a plane
-// Of the thrown sheet.
+// The thrown sheet:
 constexpr double kThrown = 2.0;  // m/s
 
 /// m; starts at rest.

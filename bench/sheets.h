@@ -36,10 +36,10 @@ std::unique_ptr<Sheet> makeThrownSheet(int side, double k);
 /// Other codes' figures are for k = 1000 N/m.
 std::unique_ptr<Sheet> makeDrape2Pin(int side, double k);
 
-/// Of these names; throws InputError for others.
+/// Makes the sheet of that name (see above).  Throws InputError for an unknown name.
 std::unique_ptr<Sheet> makeSheetNamed(const std::string& name, int side, double k);
 
-/// Nothing to touch.
+/// Contacts of a sheet that touches nothing: none.
 void findNoContacts(const Positions& x, Contacts& contacts);
 
 /// Moves the sheet's state from `time` to time + h by one step of the method: a TimeStep, or what has its step().

@@ -8,16 +8,13 @@
 
 #include "bench/program.h"
 #include "solver/base/error.h"
+#include "solver/base/stopwatch.h"
 
 namespace ease {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::string nameOf(const StepCase& c) {
   return fmt::format("step/sheet:{}/n:{}/k:{:g}/h:{:.4g}", c.sheet, c.side * c.side, c.k, c.h);

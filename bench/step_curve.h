@@ -1,6 +1,6 @@
 // Time and error of one implicit step, for every setting of a method: points of a work-precision curve.
 //
-// The same 16 consecutive steps of a reference trajectory are taken by each setting, each from the reference's own
+// Every setting takes the same 16 consecutive steps of a reference trajectory, each from the reference's own
 // state, so that errors do not pile up but factors, pairs of L-BFGS and the like live on from step to step as in a run.
 // The first step, which analyses and factors, is timed apart (`setup_ms`); each of the others is a repetition.
 #pragma once

@@ -4,20 +4,20 @@ from html_table import table
 
 TARGETS = (1e-1, 1e-2, 1e-3, 1e-6)  # relative errors of a step
 TRAJECTORY_TARGETS = (0.3, 0.1, 0.03, 0.01)
-SLOW = 1.3  # times the soonest method: marked
+SLOW = 1.3  # times the fastest method: marked
 BENCH_ONLY = ("pd-anderson", "pd-chebyshev")
 AMORTISED = 100  # steps
 
 
 def fastest(cases, method, target):
-    """The method's setting of least median time whose median error is at most `target`; None: it has none."""
+    """The method's setting of least median time whose median error is at most `target`; None if it has none."""
     good = [case for case in cases if case.fields["method"] == method and case.runs and not case.failed
             and abs(case.median("error")) <= target]
     return min(good, key=lambda case: case.median("ms"), default=None)
 
 
 def scenes_of(cases, keys=("sheet", "n", "k", "h")):
-    """Cases grouped by all that is not a method's."""
+    """Groups the cases by scene: those of a group differ in method and setting only."""
     groups = {}
     for case in cases:
         groups.setdefault(tuple((k, case.fields[k]) for k in keys), []).append(case)
@@ -40,7 +40,7 @@ def is_slow(text):
 
 
 def equal_error_row(group, methods, target):
-    """Newton's ms, every method's time over it, and auto's over the soonest that a scene can ask for."""
+    """Newton's ms, every method's time over it, and auto's over the fastest that a scene can ask for."""
     cases = {method: fastest(group, method, target) for method in methods}
     times = {method: case.median("ms") if case else None for method, case in cases.items()}
     newton = times.get("newton")
@@ -61,13 +61,13 @@ def iso_error(cases):
             rows.append([name_of(key), f"{target:g}", *row])
             ratios.setdefault(target, []).append(row[-1])
     runs = sorted({len(c.runs) for c in steps if c.runs})
-    return (f"<p>Time of the soonest setting of each method whose median error of a step is at most the target, median "
+    return (f"<p>Time of the fastest setting of each method whose median error of a step is at most the target, median "
             f"of {'–'.join(str(r) for r in dict.fromkeys((runs[0], runs[-1])))} runs, over Newton's; last column: "
-            f"<code>auto</code> over the soonest method that a scene can ask for (marked beyond {SLOW:g}). –: not "
+            f"<code>auto</code> over the fastest method that a scene can ask for (marked beyond {SLOW:g}). –: not "
             "reached within the limits. A median leaves out the few steps on which a method factors; means are in the "
             ".csv.</p>\n"
             + table(["scene", "error", "newton, ms", *methods, "auto/best"], rows, marked_last=is_slow)
-            + table(["error", "settings", f"auto within {SLOW:g} of the soonest", "not reached", "worst"],
+            + table(["error", "settings", f"auto within {SLOW:g} of the fastest", "not reached", "worst"],
                     [summary(target, texts) for target, texts in ratios.items()]))
 
 
@@ -90,7 +90,7 @@ def other_errors(cases):
                                                               "sigma_1_p99_error", "energy_gap", "residual_m_s2")])
     if not rows:
         return ""
-    return ("<p>Errors of <code>auto</code> in every measure, at its soonest setting for an error of positions: "
+    return ("<p>Errors of <code>auto</code> in every measure, at its fastest setting for an error of positions: "
             "medians of the same runs. sigma_1: larger principal stretch of a triangle, dimensionless.</p>\n"
             + table(["scene", "at most", "tolerance", "error", "largest, mm", "of largest sigma_1",
                      "of its 99th percentile", "energy gap", "residual, m/s²"], rows))
@@ -112,8 +112,8 @@ def set_up(cases):
     if not rows:
         return ""
     return (f"<p>Setting up: analysis, first factors and first step, apart (once a run), and shared among {AMORTISED} "
-            "steps. Setting of each method: its soonest with a median error of at most 0.01, or where it has none its "
-            "soonest; pd-chebyshev measures its rate of convergence at first.</p>\n"
+            "steps. Setting of each method: its fastest with a median error of at most 0.01, or where it has none its "
+            "fastest; pd-chebyshev measures its rate of convergence at first.</p>\n"
             + table(["scene", "error", "set-up and first step, ms", "a later step, ms (median)",
                      f"a step of {AMORTISED}, ms", "ratio"], rows))
 
@@ -128,10 +128,10 @@ def trajectories(cases):
     for key, group in scenes_of(runs, ("sheet", "n", "k")).items():
         counts = [len(c.runs) for c in group if c.runs]
         for target in TRAJECTORY_TARGETS:
-            soonest = {method: fastest(group, method, target) for method in methods}
-            cells = [f"{c.median('ms'):.3g} (1/{1 / c.fields['h']:.0f})" if c else "–" for c in soonest.values()]
+            fastest_cases = {method: fastest(group, method, target) for method in methods}
+            cells = [f"{c.median('ms'):.3g} (1/{1 / c.fields['h']:.0f})" if c else "–" for c in fastest_cases.values()]
             rows.append([name_of(key), f"{target:g}", *cells, f"{min(counts)} to {max(counts)}"])
-    return ("<p>A whole trajectory of 0.3 s: ms of each method's soonest setting and time step (in brackets, s) with "
+    return ("<p>A whole trajectory of 0.3 s: ms of each method's fastest setting and time step (in brackets, s) with "
             "at most this error against the exact trajectory, median of the runs. –: the time steps that were tried are "
             "too long for it.</p>\n"
             + table(["scene", "error", *methods, "runs"], rows))

@@ -3,8 +3,8 @@
 //   x(t)       where the method is               x*(t)   2 x_fine(t) - x_coarse(t): Newton's method at h/16 and h/8
 //                                                        extrapolated to h = 0 (Richardson; backward Euler has order 1)
 //   error         sqrt(sum_t |x - x*|_M^2 / sum_t |x* - x(0)|_M^2), over common instants t
-//   method_error  likewise of x - x_h, Newton's method with the same time step, taken to round-off: without backward
-//                 Euler's own error
+//   method_error  the same formula with x_h instead of x* in the difference; x_h is Newton's method with the same time
+//                 step, taken to round-off, so that backward Euler's own error is left out
 //   rms_mm        x - x*, root mean square over instants and mass, mm
 //
 // h is the least time step of the curves.

@@ -16,7 +16,7 @@ WRINKLED = "wrinkled cloth: a step may have several minima; positions of two goo
 TICS = "set xtics 1e-9,1000; unset mxtics"
 FOR_README = ("taut", 4096, "error")  # a small picture of the middle stiffness
 RUNS = "ms a step (median, quartiles)"
-# Of a step: key of the counter, what is worse than failed, axis, whether on the hanging sheet, which wrinkles.
+# Measures of a step: counter, error beyond which it failed, label, whether it is drawn for the hanging sheet.
 MEASURES = (
     ("error", 1.0, "relative error of a step", False),
     ("largest_mm", 1e2, "largest error of a vertex, mm", False),
@@ -32,7 +32,7 @@ def distinct(cases, key):
 
 
 def have(cases, key):
-    """Whether this was measured wherever anything was."""
+    """True if every case that has runs has this measure, too."""
     return any(c.runs for c in cases) and all(c.values(key) for c in cases if c.runs)
 
 
@@ -75,7 +75,7 @@ def work_precision(cases, error_key, worst):
 
 
 def front(points):
-    """Those points that no other beats in both error and time."""
+    """The Pareto front: points that no other point beats in both error and time."""
     best, kept = float("inf"), []
     for point in sorted(points):
         if point[1] < best:

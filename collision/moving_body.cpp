@@ -4,15 +4,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "solver/base/stopwatch.h"
 #include "solver/linear/gradient_system.h"
 
 namespace ease {
 
 namespace {
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 constexpr double kMarginVoxels = 0.4;  // how far samples stray from where a level set was prepared
 

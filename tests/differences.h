@@ -16,8 +16,8 @@ auto difference(const Function& f, double step) {
   return Value((f(step) - f(-step)) / (2.0 * step));
 }
 
-/// The same over `step`, a half and a quarter of it, the errors that go as its square and its fourth power taken out
-/// (Romberg): what is left goes as the sixth.
+/// Romberg's extrapolation of central differences over `step`, a half and a quarter of it: it cancels the errors of
+/// second and fourth order in the step, and leaves one of sixth order.
 template <class Function>
 auto sharpDifference(const Function& f, double step) {
   const auto whole = difference(f, step), half = difference(f, 0.5 * step), quarter = difference(f, 0.25 * step);

@@ -38,7 +38,7 @@ class Errors : public vtkCommand {
   bool raised = false;
 };
 
-void openFrame(const fs::path& file) {
+vtkSmartPointer<vtkPolyData> readFrame(const fs::path& file) {
   const vtkNew<Errors> errors;
   const vtkNew<vtkXMLPolyDataReader> reader;
   reader->AddObserver(vtkCommand::ErrorEvent, errors);
@@ -54,6 +54,7 @@ void openFrame(const fs::path& file) {
     if (mesh.GetPointData()->GetArray(a)->GetNumberOfTuples() != mesh.GetNumberOfPoints()) fail(file, "short array");
   for (int a = 0; a < mesh.GetCellData()->GetNumberOfArrays(); ++a)
     if (mesh.GetCellData()->GetArray(a)->GetNumberOfTuples() != mesh.GetNumberOfCells()) fail(file, "short array");
+  return &mesh;
 }
 
 /// Frames of a series, named or not, beside its list.
@@ -75,7 +76,7 @@ void checkFile(const fs::path& file, bool killed) {
   std::ostringstream content;
   content << std::ifstream(file, std::ios::binary).rdbuf();
   const std::string bytes = content.str();
-  if (kind == ".vtp") openFrame(file);
+  if (kind == ".vtp") readFrame(file);
   if (kind == ".pvd") checkSeries(file, killed);
   if (kind == ".obj") readMesh(file);
   if (kind == ".bin") readCheckpoint(file);
@@ -101,6 +102,18 @@ std::vector<fs::path> framesListed(const fs::path& pvd) {
     if (!fs::exists(files.back())) fail(files.back(), "is named in the list and is not there");
   }
   return files;
+}
+
+std::vector<WrittenArray> arraysIn(const fs::path& vtp) {
+  const auto mesh = readFrame(vtp);
+  std::vector<WrittenArray> arrays;
+  const auto append = [&](vtkDataSetAttributes& attributes, const char* element) {
+    for (int a = 0; a < attributes.GetNumberOfArrays(); ++a)
+      arrays.push_back({attributes.GetArrayName(a), element, attributes.GetAbstractArray(a)->GetNumberOfComponents()});
+  };
+  append(*mesh->GetPointData(), "vertex");
+  append(*mesh->GetCellData(), "triangle");
+  return arrays;
 }
 
 std::string faultIn(const fs::path& directory, bool killed) {

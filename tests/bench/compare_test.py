@@ -47,7 +47,7 @@ class Compare(unittest.TestCase):
         run = self.compare({NAME: (TIMES, {})}, {NAME: ([10.0 * TIMES[0], *TIMES[1:]], {})})
         self.assertEqual(run.returncode, 0)
 
-    def test_sooner_is_none(self):
+    def test_faster_is_none(self):
         self.assertEqual(self.compare({NAME: (TIMES, {})}, {NAME: ([0.5 * t for t in TIMES], {})}).returncode, 0)
 
     def test_less_accurate_is_one(self):

@@ -76,7 +76,7 @@ class Report(unittest.TestCase):
         page = (self.directory / "report.html").read_text(encoding="utf-8")
         self.assertIn("<svg", page)
         self.assertNotIn("<img", page)
-        # Medians at .1: newton 10 ms; auto 2 ms, .2 of it; pd 4 ms; pd-anderson 1 ms.  auto is the soonest but for the
+        # Medians at .1: newton 10 ms; auto 2 ms, .2 of it; pd 4 ms; pd-anderson 1 ms.  auto is the fastest but for the
         # last, which no scene can ask for.
         self.assertIn("<td>0.1</td><td>10</td><td>1.00</td><td>0.20</td><td>0.40</td><td>0.10</td><td>1.00</td>", page)
 

@@ -1,0 +1,142 @@
+// Names of the arrays in written files: what the tables, the README and the files themselves say must agree.
+#include "apps/output_arrays.h"
+
+#include "tests/apps/command.h"
+#include "tests/apps/result_check.h"
+
+using namespace ease;
+
+namespace Catch {
+template <>
+struct StringMaker<WrittenArray> {
+  static std::string convert(const WrittenArray& a) {
+    return a.name + " (" + a.element + ", " + std::to_string(a.components) + ")";
+  }
+};
+}  // namespace Catch
+
+namespace {
+
+using Arrays = std::vector<WrittenArray>;
+
+// The names by which people and their ParaView states know the arrays.  Renaming one breaks both: say so in
+// CHANGELOG.md.
+const Arrays kGarmentInTheAir = {{"velocity_m_s", "vertex", 3},     {"pinned", "vertex", 1},
+                                 {"sigma_1", "triangle", 1},        {"sigma_2", "triangle", 1},
+                                 {"stretch_warp", "triangle", 1},   {"stretch_weft", "triangle", 1},
+                                 {"rest_area_ratio", "triangle", 1}};
+const Arrays kGarmentOnBody = {
+    {"velocity_m_s", "vertex", 3},        {"pinned", "vertex", 1},         {"gap_m", "vertex", 1},
+    {"contact_pressure_Pa", "vertex", 1}, {"sigma_1", "triangle", 1},      {"sigma_2", "triangle", 1},
+    {"stretch_warp", "triangle", 1},      {"stretch_weft", "triangle", 1}, {"rest_area_ratio", "triangle", 1}};
+const Arrays kRestShape = {{"rest_area_ratio", "triangle", 1}};
+const Arrays kMadeGarment = {{"loop", "vertex", 1},          {"seam", "vertex", 1},   {"offset_m", "vertex", 1},
+                             {"body_triangle", "vertex", 1}, {"pinned", "vertex", 1}, {"paint_scale", "triangle", 1}};
+const Arrays kPieces = {{"garment_vertex", "vertex", 1}, {"piece", "triangle", 1}};
+
+std::string nameOf(Element element) {
+  return element == Element::vertex ? "vertex" : "triangle";
+}
+
+Arrays sorted(Arrays arrays) {
+  std::sort(arrays.begin(), arrays.end());
+  return arrays;
+}
+
+template <class Source>
+Arrays declared(const std::vector<OutputArray<Source>>& table) {
+  Arrays arrays;
+  for (const OutputArray<Source>& row : table) arrays.push_back({row.name, nameOf(row.element), row.components});
+  return arrays;
+}
+
+template <class Source>
+void appendReadmeLines(const std::vector<OutputArray<Source>>& table, std::string& lines) {
+  for (const OutputArray<Source>& row : table)
+    lines += "| `" + row.name + "` | " + nameOf(row.element) + " | " + (row.unit.empty() ? "" : row.unit + " ") + "| " +
+             row.text + " |\n";
+}
+
+/// The rows of a table in the README whose first line begins with `heading`.
+std::string readmeRows(const std::string& heading) {
+  const std::string readme = contentOf(EASE_README);
+  const size_t table = readme.find("\n" + heading);
+  REQUIRE(table != std::string::npos);
+  const size_t rows = readme.find("|---|---|---|---|\n", table) + 18;
+  const size_t end = readme.find("\n\n", rows);
+  REQUIRE(rows < end);
+  return readme.substr(rows, end + 1 - rows);
+}
+
+/// The arrays that all frames of a series have.
+Arrays arraysOfSeries(const std::filesystem::path& pvd) {
+  const auto frames = framesListed(pvd);
+  REQUIRE(frames.size() > 1);
+  const Arrays arrays = arraysIn(frames.front());
+  for (const auto& frame : frames) CHECK(arraysIn(frame) == arrays);
+  return arrays;
+}
+
+}  // namespace
+
+TEST_CASE("the README lists the arrays as the tables say, row by row") {
+  std::string run;
+  appendReadmeLines(runArrays(), run);
+  appendReadmeLines(pieceArrays(), run);
+  CHECK(readmeRows("| array | one for each | unit | what |") == run);
+  std::string made;
+  appendReadmeLines(madeGarmentArrays(), made);
+  CHECK(readmeRows("| array of `garment.vtp` | one for each | unit | what |") == made);
+}
+
+TEST_CASE("the tables hold the arrays that people know, and no others") {
+  CHECK(sorted(declared(runArrays())) == sorted(kGarmentOnBody));
+  CHECK(sorted(declared(madeGarmentArrays())) == sorted(kMadeGarment));
+  CHECK(sorted(declared(pieceArrays())) == sorted(kPieces));
+}
+
+TEST_CASE("the unit of an array is the end of its name") {
+  for (const OutputArray<RunSource>& row : runArrays()) {
+    INFO(row.name);
+    std::string ending = row.unit.empty() ? "" : "_" + row.unit;
+    std::replace(ending.begin(), ending.end(), '/', '_');
+    CHECK(row.name.ends_with(ending));
+  }
+}
+
+TEST_CASE("a run without a body writes the arrays that people know, but those of contact") {
+  const TemporaryDirectory directory;
+  writeHangingCloth(directory, 4);
+  directory.write("air.toml", contentOf(directory.path / "hang.toml") + "[output]\nevery = 1\n");
+  const Outcome outcome = runEase(directory, "run air.toml -o air");
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(arraysOfSeries(directory.path / "air/garment.pvd") == kGarmentInTheAir);
+  CHECK(arraysOfSeries(directory.path / "air/rest.pvd") == kRestShape);
+  CHECK(arraysIn(directory.path / "air/rest_shape.vtp") == kRestShape);
+}
+
+TEST_CASE("made garment, run on a body and pieces: their files hold the arrays that people know") {
+  const TemporaryDirectory directory;
+  directory.write(
+      "tube.toml",
+      "body = {builtin = 'mannequin', poses = ['t'], steps = 4}\n[garment]\nresolution = 400\n[garment.region]\n"
+      "seed = [0, 1, 0.2]\n[[garment.boundary]]\nname = 'top'\nplane = {point = [0, 1.2, 0], normal = [0, 1, 0]}\n"
+      "[[garment.boundary]]\nname = 'hem'\nplane = {point = [0, 0.9, 0], normal = [0, 1, 0]}\n"
+      "[[garment.seam]]\nname = 'left'\nfrom = 'hem'\nto = 'top'\npoints = [[0.15, 1.05, 0]]\n"
+      "[solver]\nsteps_per_pose = 1\n[adaption]\nverify = false\n[output]\nevery = 1\n");
+  Outcome outcome = runEase(directory, "garment tube.toml --pieces -o tube");
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(arraysIn(directory.path / "tube/garment.vtp") == kMadeGarment);
+  CHECK(arraysIn(directory.path / "tube/pieces.vtp") == kPieces);
+
+  outcome = runEase(directory, "run tube.toml -o tube");
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(arraysOfSeries(directory.path / "tube/garment.pvd") == kGarmentOnBody);
+  CHECK(arraysOfSeries(directory.path / "tube/rest.pvd") == kRestShape);
+  CHECK(arraysOfSeries(directory.path / "tube/body.pvd").empty());
+  CHECK(arraysIn(directory.path / "tube/rest_shape.vtp") == kRestShape);
+  CHECK(arraysIn(directory.path / "tube/rest_pieces.vtp") == kPieces);
+}
