@@ -93,18 +93,18 @@ void measureMembrane(benchmark::State& state, int side) {
 
 void measureHessian(benchmark::State& state, int side) {
   Scene& scene = sceneOf(side);
-  for (auto _ : state) scene.potential.hessian(scene.point.x, Curvature::projected, scene.hessian);
+  for (auto _ : state) scene.potential.hessian(scene.point.x, HessianKind::projected, scene.hessian);
   state.counters["triangles"] = scene.sheet->cloth.triangleCount();
 }
 
 void measureProduct(benchmark::State& state, int side) {
   Scene& scene = sceneOf(side);
-  scene.potential.hessian(scene.point.x, Curvature::projected, scene.hessian);
+  scene.potential.hessian(scene.point.x, HessianKind::projected, scene.hessian);
   const Positions d = randomPositions(scene.vertices(), 1);
   Positions product(scene.vertices(), 3);
   for (auto _ : state) {
     scene.hessian.multiply(d, product);
-    scene.potential.addBending(d, product);
+    scene.potential.addBendingProduct(d, product);
   }
   const double bytes = kPerBlock * scene.hessian.rowEnd(scene.vertices() - 1) + scene.bendingBytes();
   bound(state, bytes / readBandwidth(static_cast<size_t>(bytes)));
@@ -140,7 +140,7 @@ struct System {
       matrix = pattern;
       cholesky.analyse(matrix, ordering);
     } else {
-      scene.potential.hessian(scene.point.x, Curvature::projected, scene.hessian);
+      scene.potential.hessian(scene.point.x, HessianKind::projected, scene.hessian);
       scene.hessian.toScalar(scene.fixed, matrix);
       cholesky.analyse(matrix, liftOrdering(ordering));
     }

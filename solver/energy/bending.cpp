@@ -12,10 +12,10 @@ Vec3 hingeDampingGradient(const Vec3& b, const HingeDamper& damper) {
   return length > 0.0 ? Vec3(damper.damping_over_h * (1.0 - damper.start / length) * b) : Vec3::Zero();
 }
 
-Mat3 hingeDampingHessian(const Vec3& b, const HingeDamper& damper, Curvature kind) {
+Mat3 hingeDampingHessian(const Vec3& b, const HingeDamper& damper, HessianKind kind) {
   const double length = b.norm();
   if (length == 0.0) return Mat3::Zero();
-  const double across = damper.damping_over_h * curvature(1.0 - damper.start / length, kind);
+  const double across = damper.damping_over_h * keptEigenvalue(1.0 - damper.start / length, kind);
   const Vec3 along = b / length;
   return across * Mat3::Identity() + (damper.damping_over_h - across) * along * along.transpose();
 }

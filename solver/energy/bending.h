@@ -21,6 +21,6 @@ struct HingeDamper {
 double hingeDamping(const Vec3& b, const HingeDamper& damper);        // J
 Vec3 hingeDampingGradient(const Vec3& b, const HingeDamper& damper);  // by b, N
 /// Second derivative by b, N/m.
-Mat3 hingeDampingHessian(const Vec3& b, const HingeDamper& damper, Curvature kind);
+Mat3 hingeDampingHessian(const Vec3& b, const HingeDamper& damper, HessianKind kind);
 
 }  // namespace ease

@@ -5,7 +5,7 @@
 
 namespace ease {
 
-FrameHessian isotropicHessian(const Mat32& F, double mu, double lambda, Curvature kind) {
+FrameHessian isotropicHessian(const Mat32& F, double mu, double lambda, HessianKind kind) {
   Eigen::SelfAdjointEigenSolver<Mat2> eigen;
   eigen.computeDirect(F.transpose() * F);
   const double least = 1e-12;
@@ -22,7 +22,9 @@ FrameHessian isotropicHessian(const Mat32& F, double mu, double lambda, Curvatur
   const double p1 = 2.0 * mu * (s1 - 1.0) + lambda * (s1 + s2 - 2.0);
   const double p2 = 2.0 * mu * (s2 - 1.0) + lambda * (s1 + s2 - 2.0);
   FrameHessian hessian;
-  const auto add = [&](double eigenvalue, const Mat32& mode) { hessian.addMode(curvature(eigenvalue, kind), mode); };
+  const auto add = [&](double eigenvalue, const Mat32& mode) {
+    hessian.addMode(keptEigenvalue(eigenvalue, kind), mode);
+  };
   add((p1 + p2) / (s1 + s2), (u2 * v1 - u1 * v2) * M_SQRT1_2);  // turning in the plane
   add(2.0 * mu, (u2 * v1 + u1 * v2) * M_SQRT1_2);               // shearing: (p1 - p2)/(s1 - s2)
   add(p1 / s1, n * v1);                                         // turning out of the plane

@@ -33,6 +33,6 @@ Real addIsotropic(const Deformation<Real>& F, double mu, double lambda, Deformat
 }
 
 /// Second derivative by F.
-FrameHessian isotropicHessian(const Mat32& F, double mu, double lambda, Curvature kind);
+FrameHessian isotropicHessian(const Mat32& F, double mu, double lambda, HessianKind kind);
 
 }  // namespace ease

@@ -17,11 +17,11 @@ inline Lanes larger(const Lanes& a, double b) {
   return a.max(b);
 }
 
-/// What becomes of the negative eigenvalues of an element's second derivative: kept, or set to zero.
-enum class Curvature { exact, projected };
+/// Whether an element's Hessian keeps its negative eigenvalues (exact) or has them set to zero (projected).
+enum class HessianKind { exact, projected };
 
-inline double curvature(double eigenvalue, Curvature kind) {
-  return kind == Curvature::projected && eigenvalue < 0.0 ? 0.0 : eigenvalue;
+inline double keptEigenvalue(double eigenvalue, HessianKind kind) {
+  return kind == HessianKind::projected && eigenvalue < 0.0 ? 0.0 : eigenvalue;
 }
 
 /// A vector in space: a column of a deformation gradient, or of its stress.

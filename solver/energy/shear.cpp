@@ -26,13 +26,13 @@ double orthogonalShear(const Mat32& F) {
   return Bias(F).condition();
 }
 
-FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, Curvature kind) {
+FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, HessianKind kind) {
   // In (d+, d-) the eigenvectors are (plus, -minus) along the bias and whatever is across plus or minus: one of the
   // two across terms is negative.
   const Bias bias(F);
   const double excess = bias.condition() - spring.c;
-  const double across_plus = bias.plus_length > 0.0 ? curvature(excess / bias.plus_length, kind) : 0.0;
-  const double across_minus = bias.minus_length > 0.0 ? curvature(-excess / bias.minus_length, kind) : 0.0;
+  const double across_plus = bias.plus_length > 0.0 ? keptEigenvalue(excess / bias.plus_length, kind) : 0.0;
+  const double across_minus = bias.minus_length > 0.0 ? keptEigenvalue(-excess / bias.minus_length, kind) : 0.0;
   const Mat3 pp = bias.plus * bias.plus.transpose();
   const Mat3 mm = bias.minus * bias.minus.transpose();
   const Mat3 pm = bias.plus * bias.minus.transpose();
@@ -47,7 +47,7 @@ FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, Curvat
   return hessian;
 }
 
-FrameHessian bw98ShearHessian(const Mat32& F, const Spring& spring, Curvature kind) {
+FrameHessian bw98ShearHessian(const Mat32& F, const Spring& spring, HessianKind kind) {
   // k [q qᵀ + (C - c) (0 I; I 0)] with q = (f_v, f_u).
   using Mat6 = Eigen::Matrix<double, 6, 6>;
   Eigen::Matrix<double, 6, 1> q;
@@ -56,7 +56,7 @@ FrameHessian bw98ShearHessian(const Mat32& F, const Spring& spring, Curvature ki
   const double excess = spring.k * (bw98Shear(F) - spring.c);
   H.topRightCorner<3, 3>().diagonal().array() += excess;
   H.bottomLeftCorner<3, 3>().diagonal().array() += excess;
-  if (kind == Curvature::projected) {
+  if (kind == HessianKind::projected) {
     const Eigen::SelfAdjointEigenSolver<Mat6> eigen(H);
     H = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
   }

@@ -59,7 +59,7 @@ struct FrameHessian {
 };
 
 /// Second derivative by F.
-FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, Curvature kind);
-FrameHessian bw98ShearHessian(const Mat32& F, const Spring& spring, Curvature kind);
+FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, HessianKind kind);
+FrameHessian bw98ShearHessian(const Mat32& F, const Spring& spring, HessianKind kind);
 
 }  // namespace ease

@@ -38,6 +38,6 @@ Real addStretch(const Column<Real>& f, double k, const Real& c, Column<Real>& st
 }
 
 /// Second derivative by f, N/m; its negative part is that across f, where compressed.
-Mat3 stretchHessian(const Vec3& f, const Spring& spring, Curvature kind);
+Mat3 stretchHessian(const Vec3& f, const Spring& spring, HessianKind kind);
 
 }  // namespace ease

@@ -131,7 +131,7 @@ TriangleEdges IncrementalPotential::TriangleLanes::edgesAt(const Positions& x) c
   return {at[0], from(at[1]), from(at[2])};
 }
 
-/// Of membrane and contact on the corners of triangles; returns their energy, J.
+/// Computes membrane and contact forces at triangle corners; returns the energy, J.
 double IncrementalPotential::triangleForces(const Positions& x) {
   const int per_group = kGroup / kLanes;
   const TriangleSprings stiffness = springs(0);  // the same for all but where they are at rest
@@ -149,7 +149,7 @@ double IncrementalPotential::triangleForces(const Positions& x) {
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
-/// The same of eight triangles.
+/// Computes the forces of eight triangles side by side; returns their energy, J.
 double IncrementalPotential::blockForces(int block, const TriangleSprings& stiffness,
                                          std::span<const ContactLanes> contacts, const Positions& x) {
   const Material& material = cloth_.material();

@@ -52,17 +52,18 @@ class IncrementalPotential {
   /// Gradient dE/dx, n x 3, N, and `motion` to x; returns E, J, up to a constant of the step.
   double gradient(const Positions& x, Positions& gradient, StepMotion* motion = nullptr);
 
-  /// Second derivative, its elements' negative parts kept or not, N/m; bending apart, since it reaches to the second
-  /// ring: addBending adds its product with d.
-  void hessian(const Positions& x, Curvature kind, BlockMatrix& hessian);
-  void addBending(const Positions& d, Positions& product);
+  /// Assembles the Hessian without bending, N/m; `kind` says whether elements are projected to be positive
+  /// semi-definite.  Bending couples second neighbours, which `hessian` has no blocks for: addBendingProduct() adds its
+  /// product with d.  Call hessian() first, which also computes the damping of bending at x.
+  void hessian(const Positions& x, HessianKind kind, BlockMatrix& hessian);
+  void addBendingProduct(const Positions& d, Positions& product);
 
   /// Weights per rest area of the constant matrix that projective dynamics has for the membrane, along warp and weft,
   /// N/m: exact for terms that are distances to a set, a bound near rest for the others.
   Eigen::Vector2d projectiveWeights() const;
 
-  /// Stiffness of contact at x, on each vertex, as if it held in every direction, N/m: its row sums.  `bound`: of all
-  /// that can be met within the step, at least as deep as it gives way, whether it is met at x or not.
+  /// Lumped contact stiffness per vertex at x, N/m: row sums of its Hessian.  With `bound`, an upper bound over the
+  /// whole step: every contact counts as if pressed to the depth at which it stiffens, or deeper where it is deeper.
   void contactDiagonal(const Positions& x, bool bound, std::vector<double>& diagonal);
 
   /// Contact force on each vertex over a third of the area around it, stretched as at x, Pa: from its own sample and
@@ -73,10 +74,10 @@ class IncrementalPotential {
   double kinetic(const Positions& d) const;
   double totalMass() const;  // kg
 
-  /// A difference of the potential between points near one where it is `energy` that means nothing, J.
+  /// Energy differences below this are round-off, J; `energy` and `motion` are those of a nearby point.
   double roundOff(double energy, const StepMotion& motion) const;
 
-  /// Bounds bending by a diagonal, N/m.
+  /// Diagonal entry of a diagonal matrix that bounds the bending matrix from above, N/m.
   double bendingBound(int vertex) const { return bending_.rowBound(vertex); }
 
   const Cloth& cloth() const { return cloth_; }

@@ -7,15 +7,16 @@ namespace ease {
 
 namespace {
 
-constexpr double kWorthATrial = 12.0;  // cost of a step: of Newton's least, an iteration with a few of CG, 8
-constexpr double kWeight = 0.25;       // of a step in the running mean
-constexpr double kOnceWeight = 0.05;   // of what it costs once
-constexpr int kRarer = 4;              // times, after a trial that was lost
-constexpr int kLeastForNewton = 64, kMost = 4096;  // steps from a trial that was lost to the next
+constexpr double kMinCostForTrial =
+    12.0;                             // try the other method only on costlier steps (Newton's cheapest step costs 8)
+constexpr double kWeight = 0.25;      // weight of the newest step in the running mean
+constexpr double kOnceWeight = 0.05;  // weight of the newest step in the mean of factorisation costs
+constexpr int kWaitFactor = 4;        // after a lost trial, wait four times as long
+constexpr int kMinWaitForNewton = 64, kMaxWait = 4096;  // steps from a lost trial to the next one
 
 }  // namespace
 
-void MethodChoice::took(double pd_lbfgs, double newton, double once) {
+void MethodChoice::recordCost(double pd_lbfgs, double newton, double once) {
   if (newton > 0.0) newton_cost_ += kWeight * (newton + once - newton_cost_);
   const double cost = pd_lbfgs + newton;
   ++steps_;
@@ -28,9 +29,9 @@ void MethodChoice::took(double pd_lbfgs, double newton, double once) {
       once_ = 0.0;
       until_pd_lbfgs_ = kFirstWait;
     } else if (newton_) {
-      until_pd_lbfgs_ = std::min(kRarer * until_pd_lbfgs_, kMost);
+      until_pd_lbfgs_ = std::min(kWaitFactor * until_pd_lbfgs_, kMaxWait);
     } else {
-      until_newton_ = std::clamp(kRarer * until_newton_, kLeastForNewton, kMost);
+      until_newton_ = std::clamp(kWaitFactor * until_newton_, kMinWaitForNewton, kMaxWait);
     }
     return;
   }
@@ -40,9 +41,9 @@ void MethodChoice::took(double pd_lbfgs, double newton, double once) {
     newton_ = false;
     mean_ = other_;
     steps_ = 0;
-    until_newton_ = std::clamp(kRarer * until_newton_, kLeastForNewton, kMost);
+    until_newton_ = std::clamp(kWaitFactor * until_newton_, kMinWaitForNewton, kMaxWait);
   }
-  trial_ = mean_ >= kWorthATrial && steps_ >= (newton_ ? until_pd_lbfgs_ : until_newton_);
+  trial_ = mean_ >= kMinCostForTrial && steps_ >= (newton_ ? until_pd_lbfgs_ : until_newton_);
 }
 
 }  // namespace ease

@@ -12,12 +12,14 @@ class MethodChoice {
  public:
   bool newtonFirst() const { return newton_ != trial_; }
 
-  /// Iterations that pd-lbfgs may have left before it hands over.
+  /// pd-lbfgs hands over to Newton if it predicts more iterations than this.
   int patience() const { return static_cast<int>(newton_cost_); }
 
-  /// What the step begun with that method cost: iterations of pd-lbfgs, Newton's worth as many (0: not used), and,
-  /// once, factors of its matrix that later steps may use again.
-  void took(double pd_lbfgs, double newton, double once);
+  /// Records what a step cost, in pd-lbfgs iterations:
+  /// `pd_lbfgs`: its own iterations.
+  /// `newton`: Newton's iterations, converted; 0 if Newton was not used.
+  /// `once`: factorisations, converted, which later steps may use again.
+  void recordCost(double pd_lbfgs, double newton, double once);
 
  private:
   static constexpr int kFirstWait = 4;  // steps

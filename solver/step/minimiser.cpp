@@ -11,15 +11,15 @@ namespace ease {
 namespace {
 
 constexpr int kGrain = 1024;
-constexpr int kMostHalvings = 20;
-constexpr double kSufficient = 1e-4;  // of the decrease that the slope promises
-constexpr double kForces = 4.0;       // times what forces add to the motion of a step: as good a measure as the motion
-constexpr double kLeastSpeed = 1e-3;  // m/s: a change of speed within a step that is not worth more digits
+constexpr int kMaxHalvings = 20;
+constexpr double kSufficientDecrease = 1e-4;  // share of the decrease predicted by the slope (Armijo's condition)
+constexpr double kForcedMotionFactor = 4.0;   // the 4 in the error's denominator (minimiser.h)
+constexpr double kMinSpeed = 1e-3;            // m/s: slower motion counts as this fast, so that cloth at rest converges
 
-// Twice the kinetic energy that errors are compared with, J.
+/// Squared denominator of the relative error (minimiser.h), over h^2: twice a kinetic energy, J.
 double stepKinetic(const IncrementalPotential& potential, const StepMotion& motion) {
-  const double least = potential.totalMass() * kLeastSpeed * kLeastSpeed;
-  return std::min(motion.all, kForces * kForces * motion.forced) + least;
+  const double least = potential.totalMass() * kMinSpeed * kMinSpeed;
+  return std::min(motion.all, kForcedMotionFactor * kForcedMotionFactor * motion.forced) + least;
 }
 
 }  // namespace
@@ -66,13 +66,13 @@ int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed,
                 const Positions& direction, double slope, Point& next) {
   const double round_off = potential.roundOff(point.energy, point.motion);
   double scale = 1.0;
-  for (int halvings = 0; halvings <= kMostHalvings; ++halvings, scale *= 0.5) {
+  for (int halvings = 0; halvings <= kMaxHalvings; ++halvings, scale *= 0.5) {
     next.x.resize(point.x.rows(), 3);
     parallelFor(static_cast<int>(point.x.rows()), kGrain,
                 [&](int i) { next.x.row(i) = point.x.row(i) + scale * direction.row(i); });
     next.evaluate(potential, fixed);
     const double change = next.energy - point.energy;
-    if (change <= kSufficient * scale * slope) return halvings;
+    if (change <= kSufficientDecrease * scale * slope) return halvings;
     const bool lost = std::abs(change) <= round_off;
     if (lost && std::abs(dot(next.gradient, direction)) <= 0.9 * std::abs(slope)) return halvings;
   }

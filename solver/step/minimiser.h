@@ -1,11 +1,15 @@
 // What the minimisers of the incremental potential share: when to stop, how far to go, what they report.
 //
-// The error of a step is what is left of the way to the minimum, |x - x_min|_M / h in the norm of the masses, over how
-// far the step moves the cloth, |x - x_n|_M / h, or over four times what forces add to that motion,
-// |x - x_n - h v_n|_M / h, where that is less: compared with the motion alone, cloth that falls fast enough would be
-// done before it starts.  Newton's correction d is that way itself.  Other corrections are shorter than the way, along
-// soft directions most of all; they are measured by their decrement sqrt(-g . d), which for Newton's d is the way in
-// the energy's own norm and no less than in that of the masses.
+//   error = |x - x_min|_M / min(|x - x_n|_M, 4 |x - x_n - h v_n|_M)      relative error of a step
+//
+//   x_min        minimum of the potential, m
+//   |d|_M        norm by the masses: sqrt(sum_i m_i |d_i|^2)
+//   x_n + h v_n  where the step would end without forces, m
+//
+// The second length keeps free fall from counting as converged: cloth that falls fast moves far before any iteration.
+// Newton's correction estimates x_min - x directly.  Other methods' corrections are shorter, most of all along soft
+// directions; they are measured by their decrement sqrt(-g . d).  For Newton's d the decrement is the distance to the
+// minimum in the norm of the Hessian, an upper bound of |d|_M / h.
 #pragma once
 
 #include <vector>
@@ -15,18 +19,18 @@
 namespace ease {
 
 struct StopRule {
-  int most_iterations = 1;
-  double error = 0.0;         // of the step, relative; 0: not looked at
-  double acceleration = 0.0;  // m/s^2: largest |dE/dx_i| / m_i of a vertex that is not pinned
-  int patience = 0;           // stop where more iterations than this seem to be left; 0: never
-  bool all = false;           // go on to most_iterations; the rest says whether that was enough
+  int max_iterations = 1;
+  double error = 0.0;               // tolerance of the relative error above; 0: not checked
+  double acceleration = 0.0;        // m/s^2: largest |dE/dx_i| / m_i of a vertex that is not pinned
+  int patience = 0;                 // stop if the rate predicts more iterations than this; 0: never
+  bool run_all_iterations = false;  // do not stop early; `converged` still says whether the tolerance was met
 };
 
 struct MinimiserSummary {
   int iterations = 0;
   int cg_iterations = 0;
   int factorisations = 0;
-  int halvings = 0;  // of a correction that would have raised the potential
+  int halvings = 0;  // times that a correction was halved since it raised the potential
   bool converged = false;
 };
 
@@ -42,10 +46,10 @@ struct Point {
 /// Largest |dE/dx_i| / m_i, m/s^2.
 double residualAcceleration(const IncrementalPotential& potential, const Point& point);
 
-/// sqrt(-slope) over how far the step moves the cloth, as above; slope = gradient . direction, J.
+/// Decrement sqrt(-slope) over the error's denominator above; slope = gradient . direction, J.
 double relativeDecrement(const IncrementalPotential& potential, const Point& point, double slope);
 
-/// |direction|_M over how far the step moves the cloth, as above.
+/// |direction|_M over the error's denominator above.
 double relativeLength(const IncrementalPotential& potential, const Point& point, const Positions& direction);
 
 /// Sets the mean of a correction, weighted by mass, to what momentum alone determines where no vertex is pinned and
@@ -57,9 +61,10 @@ double relativeLength(const IncrementalPotential& potential, const Point& point,
 double setMeanMotion(const IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
                      Positions& direction);
 
-/// Goes from `point` along `direction` (all of it, or half, or a quarter ...) until the potential is less, and writes
-/// where it arrives to `next`; slope = gradient . direction, J.  Close to the minimum, where the potential's decrease
-/// is lost in rounding, the slope tells.  Returns the number of halvings, or -1: no decrease.
+/// Backtracking line search: tries direction, 1/2 direction, 1/4 direction ... until the potential decreases enough,
+/// and writes that point to `next`; slope = gradient . direction, J.  Where the change of the potential is below
+/// round-off, it accepts a point whose slope has become flatter instead.  Returns the number of halvings, or -1: no
+/// decrease.
 int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
                 const Positions& direction, double slope, Point& next);
 

@@ -27,7 +27,8 @@ class Newton {
   void forget() { system_.forgetFactor(); }
 
  private:
-  bool direct(IncrementalPotential& potential, Curvature kind, const Point& point, MinimiserSummary& summary);
+  bool solveForDirection(IncrementalPotential& potential, HessianKind kind, const Point& point,
+                         MinimiserSummary& summary);
 
   BlockMatrix hessian_;
   NewtonSystem system_;

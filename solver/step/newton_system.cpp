@@ -10,7 +10,7 @@ namespace ease {
 namespace {
 
 constexpr double kFactorCost = 35.0;  // iterations that take about as long as a factor
-constexpr int kMostIterations = 80;   // with one factor; then a new one
+constexpr int kMaxIterations = 80;    // with one factor; then a new one
 constexpr int kFewIterations = 8;     // with a factor that is near
 
 }  // namespace
@@ -74,7 +74,7 @@ SolveSummary NewtonSystem::solve(const BlockMatrix& matrix,
   double rz = dot(r_, z_);
   const double goal = tolerance * tolerance * rz;
   for (int since_factor = 0; rz > goal; ++summary.iterations, ++since_factor) {
-    if (since_factor == kMostIterations) {
+    if (since_factor == kMaxIterations) {
       if (summary.factorisations > 0) break;  // as good as round-off allows
       if (!renew()) return {summary.iterations, summary.factorisations, false};
       since_factor = 0;

@@ -10,7 +10,7 @@ constexpr int kGrain = 512;
 
 }  // namespace
 
-void IncrementalPotential::hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) {
+void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMatrix& hessian) {
   const int n = cloth_.vertexCount(), edge_count = static_cast<int>(cloth_.topology().edges.size());
   parallelFor(cloth_.triangleCount(), kGrain, [&](int t) {
     const Mat32 F = cloth_.deformation(x, t);
@@ -79,7 +79,7 @@ void IncrementalPotential::hessian(const Positions& x, Curvature kind, BlockMatr
   });
 }
 
-void IncrementalPotential::addBending(const Positions& d, Positions& product) {
+void IncrementalPotential::addBendingProduct(const Positions& d, Positions& product) {
   if (bending_.empty()) return;
   const bool damps = !start_bending_.empty();
   if (damps)

@@ -10,36 +10,37 @@ namespace ease {
 
 namespace {
 
-// Of contact's stiffness: beyond this drift A is factored again.
-constexpr double kDrift = 0.5;
-// Of contact's stiffness, what A has for pd-lbfgs: 0, .1 and 1 need 2.7, 1.5 and 1.1 times as many iterations.
-constexpr double kContactAccelerated = 0.3;
-// The error over the decrement that five pairs see, where it falls fast, and times its e-folds an iteration where it
-// falls slowly.  Measured on a shirt in motion and on shaken sheets: errors asked to be .05 have a median of .02 to .04
-// and nine in ten are below .061.
-constexpr double kUnseen = 2.0, kUnseenSlow = 0.1;
-constexpr double kMostUnseen = 60.0;
-// Iterations over which the contraction is measured: for an error; for giving up, past where new contacts hold it up.
+// A is factored again once the contact stiffness has changed by more than this share.
+constexpr double kMaxDrift = 0.5;
+// pd-lbfgs adds this share of the contact stiffness to A; 0, 0.1 and 1 need 2.7, 1.5 and 1.1 times the iterations.
+constexpr double kContactShare = 0.3;
+// error ~ decrement x clamp(0.1 / rate, 2, 60), rate in e-folds per iteration.  Fitted to a shirt in motion and shaken
+// sheets: with a tolerance of 0.05 the true error has a median of 0.02 to 0.04, and nine in ten are below 0.061.
+constexpr double kMinErrorFactor = 2.0, kErrorFactorTimesRate = 0.1;
+constexpr double kMaxErrorFactor = 60.0;
+// Iterations over which the rate is measured: for the error; for giving up, longer, since new contacts slow a few.
 constexpr size_t kWindow = 8, kLongWindow = 24;
 
-/// How the decrements have fallen in a window, in e-folds an iteration; infinite before that is known.
+/// Rate at which the decrements fell over the last `window` iterations, e-folds per iteration; infinite if there are
+/// too few.
 double contraction(const std::vector<double>& decrements, size_t window) {
   if (decrements.size() <= window) return std::numeric_limits<double>::infinity();
   return std::log(decrements[decrements.size() - 1 - window] / decrements.back()) / static_cast<double>(window);
 }
 
-/// Whether, at the rate of the last iterations, more are left than there is patience for.  A rate may yet rise: that is
-/// not believed before half the patience is spent.
+/// Whether the rate of the last iterations predicts more of them than `patience`.  The rate may still rise, so the
+/// answer is no until half of `patience` is spent.
 bool isHopeless(const std::vector<double>& decrements, const StopRule& stop) {
   if (2 * decrements.size() < static_cast<size_t>(stop.patience)) return false;
-  const double left = std::log(kUnseen * decrements.back() / stop.error);  // e-folds
+  const double left = std::log(kMinErrorFactor * decrements.back() / stop.error);  // e-folds
   return stop.patience > 0 && left > contraction(decrements, kLongWindow) * stop.patience;
 }
 
-/// Of the step, relative.
+/// Estimates the relative error of the step (minimiser.h).
 double estimatedError(const std::vector<double>& decrements) {
   const double rate = contraction(decrements, kWindow);
-  return decrements.back() * (rate > 0.0 ? std::clamp(kUnseenSlow / rate, kUnseen, kMostUnseen) : kMostUnseen);
+  return decrements.back() *
+         (rate > 0.0 ? std::clamp(kErrorFactorTimesRate / rate, kMinErrorFactor, kMaxErrorFactor) : kMaxErrorFactor);
 }
 
 }  // namespace
@@ -62,11 +63,11 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
       drift += std::abs(contact_now_[i] - contact_[i]);
       all += std::max(contact_now_[i], contact_[i]);
     }
-    same = drift <= kDrift * all;
+    same = drift <= kMaxDrift * all;
   }
   if (same) return false;
 
-  if (fixed_ != fixed) pairs_.clear();  // what was remembered moves vertices that are pinned now
+  if (fixed_ != fixed) pairs_.clear();  // the stored pairs move vertices that are now pinned
   rest_revision_ = cloth.restRevision();
   h_ = h;
   weights_ = weights;
@@ -75,7 +76,7 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
   contact_ = contact_now_;
   diagonal_.resize(cloth.vertexCount());
   for (int i = 0; i < cloth.vertexCount(); ++i) {
-    diagonal_[i] = cloth.masses()[i] / (h * h) + (accelerated ? kContactAccelerated : 1.0) * contact_[i];
+    diagonal_[i] = cloth.masses()[i] / (h * h) + (accelerated ? kContactShare : 1.0) * contact_[i];
     if (!accelerated) diagonal_[i] += potential.bendingBound(i);
   }
   scaled_inverse_.resize(cloth.triangleCount());
@@ -86,11 +87,11 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
   return true;
 }
 
-/// The next correction; returns its slope, gradient . direction.
-double Projective::direct(const IncrementalPotential& potential, const Point& point) {
-  pairs_.bend(point.gradient, direction_);
+/// Solves for the next search direction; returns its slope, gradient . direction, J.
+double Projective::solveForDirection(const IncrementalPotential& potential, const Point& point) {
+  pairs_.applyFirstLoop(point.gradient, direction_);
   system_.solveRounded(direction_, direction_);
-  const double slope = pairs_.bendBack(point.gradient, direction_);
+  const double slope = pairs_.applySecondLoop(point.gradient, direction_);
   return slope + setMeanMotion(potential, fixed_, point, direction_);
 }
 
@@ -102,26 +103,26 @@ MinimiserSummary Projective::minimise(IncrementalPotential& potential, const std
   if (prepare(potential, fixed, accelerated, point.x)) {
     ++summary.factorisations;
   }
-  for (; summary.iterations < stop.most_iterations; ++summary.iterations) {
+  for (; summary.iterations < stop.max_iterations; ++summary.iterations) {
     if (stop.acceleration > 0.0 && residualAcceleration(potential, point) <= stop.acceleration) {
       summary.converged = true;
       break;
     }
-    double slope = direct(potential, point);
+    double slope = solveForDirection(potential, point);
     if (!(slope < 0.0)) {
       pairs_.clear();
-      slope = direct(potential, point);
+      slope = solveForDirection(potential, point);
       if (!(slope < 0.0)) break;
     }
     if (stop.error > 0.0) {
       decrements_.push_back(relativeDecrement(potential, point, slope));
       summary.converged = estimatedError(decrements_) <= stop.error;
-      if (!stop.all && (summary.converged || isHopeless(decrements_, stop))) break;
+      if (!stop.run_all_iterations && (summary.converged || isHopeless(decrements_, stop))) break;
     }
     const int halvings = searchAlong(potential, fixed, point, direction_, slope, next_);
     if (halvings < 0) {
       if (pairs_.empty()) break;
-      pairs_.clear();  // what was remembered misleads
+      pairs_.clear();  // drop stored pairs that gave a bad direction, and retry
       continue;
     }
     summary.halvings += halvings;

@@ -34,7 +34,7 @@ SecantPairs::Sums SecantPairs::sums(int rows, const Sweep& sweep) {
   return all;
 }
 
-void SecantPairs::bend(const Positions& gradient, Positions& q) {
+void SecantPairs::applyFirstLoop(const Positions& gradient, Positions& q) {
   const int rows = static_cast<int>(gradient.rows());
   q.resize(rows, 3);
   const Sums along = sums(rows, [&](const Block& block, Sums& sum) {
@@ -51,12 +51,12 @@ void SecantPairs::bend(const Positions& gradient, Positions& q) {
   });
 }
 
-double SecantPairs::bendBack(const Positions& gradient, Positions& d) {
+double SecantPairs::applySecondLoop(const Positions& gradient, Positions& d) {
   const int rows = static_cast<int>(gradient.rows());
   const Sums along = sums(rows, [&](const Block& block, Sums& sum) {
     for (int k = 0; k < count_; ++k) sum[k] = block.dot(pairs_[slot(k)].y, d);
   });
-  std::array<double, kMost> weight;
+  std::array<double, kMaxPairs> weight;
   for (int k = count_ - 1; k >= 0; --k) {
     double y_d = along[k];
     for (int older = k + 1; older < count_; ++older) y_d += weight[older] * product_[slot(older)][slot(k)];
@@ -70,7 +70,7 @@ double SecantPairs::bendBack(const Positions& gradient, Positions& d) {
 
 void SecantPairs::remember(const Positions& x, const Positions& gradient, const Positions& next_x,
                            const Positions& next_gradient) {
-  const int next = (newest_ + 1) % kMost, older = std::min(count_, kMost - 1);
+  const int next = (newest_ + 1) % kMaxPairs, older = std::min(count_, kMaxPairs - 1);
   Pair& pair = pairs_[next];
   pair.s.resize(x.rows(), 3);
   pair.y.resize(x.rows(), 3);
@@ -78,12 +78,12 @@ void SecantPairs::remember(const Positions& x, const Positions& gradient, const 
     block.of(pair.s) = block.of(next_x) - block.of(x);
     block.of(pair.y) = block.of(next_gradient) - block.of(gradient);
     for (int k = 0; k < older; ++k) partial[k] = block.dot(pairs_[slot(k)].s, pair.y);
-    partial[kMost - 1] = block.dot(pair.s, pair.y);
-    partial[kMost] = block.dot(pair.s, pair.s);
-    partial[kMost + 1] = block.dot(pair.y, pair.y);
+    partial[kMaxPairs - 1] = block.dot(pair.s, pair.y);
+    partial[kMaxPairs] = block.dot(pair.s, pair.s);
+    partial[kMaxPairs + 1] = block.dot(pair.y, pair.y);
   });
-  const double curvature = sum[kMost - 1];
-  if (!(curvature > 1e-10 * std::sqrt(sum[kMost] * sum[kMost + 1]))) {
+  const double curvature = sum[kMaxPairs - 1];
+  if (!(curvature > 1e-10 * std::sqrt(sum[kMaxPairs] * sum[kMaxPairs + 1]))) {
     count_ = older;  // the oldest gave way
     return;
   }

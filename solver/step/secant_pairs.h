@@ -19,28 +19,29 @@ class SecantPairs {
   void clear() { count_ = 0; }
   bool empty() const { return count_ == 0; }
 
-  /// First loop: q = -gradient, bent; to be multiplied by the initial inverse Hessian.
-  void bend(const Positions& gradient, Positions& q);
-  /// Second loop, on that product.  Returns the slope, gradient . d.
-  double bendBack(const Positions& gradient, Positions& d);
+  /// First loop of the two-loop recursion: from -gradient to q, which the caller multiplies by the initial inverse
+  /// Hessian.
+  void applyFirstLoop(const Positions& gradient, Positions& q);
+  /// Second loop: turns that product into the search direction d.  Returns the slope, gradient . d.
+  double applySecondLoop(const Positions& gradient, Positions& d);
 
-  /// From one iteration's point to the next's.  A pair that is not convex is left out.
+  /// Stores the pair of two successive iterates.  A pair without positive curvature (s . y > 0) is left out.
   void remember(const Positions& x, const Positions& gradient, const Positions& next_x, const Positions& next_gradient);
 
  private:
-  static constexpr int kMost = 5;
-  using Sums = std::array<double, kMost + 2>;
+  static constexpr int kMaxPairs = 5;
+  using Sums = std::array<double, kMaxPairs + 2>;
   struct Pair {
     Positions s, y;
   };
 
-  int slot(int k) const { return (newest_ - k + kMost) % kMost; }  // of the k-th newest
+  int slot(int k) const { return (newest_ - k + kMaxPairs) % kMaxPairs; }  // of the k-th newest
   template <class Sweep>
   Sums sums(int rows, const Sweep& sweep);
 
-  std::array<Pair, kMost> pairs_;
-  std::array<std::array<double, kMost>, kMost> product_;  // s_i . y_j of slots i, j, where i is no newer than j
-  std::array<double, kMost> alpha_;                       // of the k-th newest
+  std::array<Pair, kMaxPairs> pairs_;
+  std::array<std::array<double, kMaxPairs>, kMaxPairs> product_;  // s_i . y_j of slots i, j, where i is no newer than j
+  std::array<double, kMaxPairs> alpha_;                           // of the k-th newest
   int count_ = 0, newest_ = -1;
   std::vector<Sums> partial_;
 };

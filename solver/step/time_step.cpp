@@ -10,14 +10,14 @@ namespace ease {
 
 namespace {
 
-constexpr int kMostNewton = 100;  // iterations of a step
-constexpr int kMostProjective = 1000;
+constexpr int kMaxNewtonIterations = 100;  // iterations of a step
+constexpr int kMaxProjectiveIterations = 1000;
 // In iterations of pd-lbfgs, at 1,000 to 16,000 vertices:
 constexpr double kNewtonCost = 4.0;   // an iteration of Newton's
 constexpr double kCgCost = 2.0;       // one of conjugate gradients in it
 constexpr double kFactorCost = 60.0;  // a factor of its matrix
-constexpr int kMostContactRounds = 4;
-constexpr double kStale = 4e-3;  // m: a vertex that moved this far since contacts were found
+constexpr int kMaxContactRounds = 4;
+constexpr double kStaleDistance = 4e-3;  // m: a vertex that moved this far since contacts were found
 
 }  // namespace
 
@@ -100,20 +100,20 @@ void TimeStep::minimise(StepSummary& summary) {
     case Method::bw1:
       return newton({1, options_.tolerance, 0.0, 0, true}, summary);
     case Method::newton:
-      return newton({kMostNewton, 0.0, options_.residual}, summary);
+      return newton({kMaxNewtonIterations, 0.0, options_.residual}, summary);
     case Method::pd:
       return projective({options_.iterations, options_.tolerance, 0.0, 0, true}, false, summary);
     case Method::pd_lbfgs:
-      return projective({kMostProjective, options_.tolerance}, true, summary);
+      return projective({kMaxProjectiveIterations, options_.tolerance}, true, summary);
     case Method::automatic:
       break;
   }
   if (!choice_.newtonFirst()) {
-    projective({kMostProjective, options_.tolerance, 0.0, choice_.patience()}, true, summary);
+    projective({kMaxProjectiveIterations, options_.tolerance, 0.0, choice_.patience()}, true, summary);
     if (summary.converged()) return;
     summary.handed_over = 1;
   }
-  newton({kMostNewton, options_.tolerance}, summary);
+  newton({kMaxNewtonIterations, options_.tolerance}, summary);
 }
 
 void TimeStep::forget() {
@@ -128,8 +128,8 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
   potential_.begin(state, options);
   point_.x = state.positions + options.h * state.velocities;
   holdPins(pins, point_.x);
-  const int most_rounds = options_.method == Method::bw1 ? 1 : kMostContactRounds;
-  for (bool stale = true; stale && summary.contact_rounds < most_rounds;) {
+  const int max_rounds = options_.method == Method::bw1 ? 1 : kMaxContactRounds;
+  for (bool stale = true; stale && summary.contact_rounds < max_rounds;) {
     ++summary.contact_rounds;
     find_contacts(point_.x, contacts_);
     potential_.setContacts(contacts_);
@@ -138,13 +138,14 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
     point_.evaluate(potential_, fixed_);
     if (!std::isfinite(point_.energy)) throw ComputationError("the potential is not finite");
     minimise(summary);
-    stale = !contacts_.planes.empty() && (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStale * kStale;
+    stale = !contacts_.planes.empty() &&
+            (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStaleDistance * kStaleDistance;
   }
   if (options_.method == Method::automatic)
-    choice_.took(static_cast<double>(summary.projective_iterations),
-                 kNewtonCost * static_cast<double>(summary.newton_iterations) +
-                     kCgCost * static_cast<double>(summary.cg_iterations),
-                 summary.newton_iterations > 0 ? kFactorCost * static_cast<double>(summary.factorisations) : 0.0);
+    choice_.recordCost(static_cast<double>(summary.projective_iterations),
+                       kNewtonCost * static_cast<double>(summary.newton_iterations) +
+                           kCgCost * static_cast<double>(summary.cg_iterations),
+                       summary.newton_iterations > 0 ? kFactorCost * static_cast<double>(summary.factorisations) : 0.0);
   if (!point_.x.allFinite()) throw ComputationError("a position is not finite");
   state.velocities = (point_.x - state.positions) / options.h;
   state.positions = point_.x;

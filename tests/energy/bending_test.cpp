@@ -74,7 +74,7 @@ TEST_CASE("bending's damping has derivatives that are derivatives, whether it be
   for (const double start : {0.4, 0.9}) {
     const HingeDamper damper{0.3, start};
     const Vec3 gradient = hingeDampingGradient(b, damper);
-    const Mat3 hessian = hingeDampingHessian(b, damper, Curvature::exact);
+    const Mat3 hessian = hingeDampingHessian(b, damper, HessianKind::exact);
     REQUIRE(gradient.norm() > 1e-3);
     for (int i = 0; i < 3; ++i) {
       const auto energy = [&](double e) { return hingeDamping(b + e * Vec3::Unit(i), damper); };

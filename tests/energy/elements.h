@@ -18,7 +18,7 @@ struct Element {
   std::string name;
   std::function<double(const Deformation<double>&, Deformation<double>&)> add;
   std::function<Lanes(const Deformation<Lanes>&, Deformation<Lanes>&)> addLanes;
-  std::function<FrameHessian(const Mat32&, Curvature)> hessian;
+  std::function<FrameHessian(const Mat32&, HessianKind)> hessian;
 
   double energy(const Mat32& F) const {
     Deformation<double> stress = deformationOf<double>(Mat32::Zero());
@@ -32,7 +32,7 @@ struct Element {
     return P;
   }
   /// Second derivative by (f_u, f_v), 6 x 6.
-  Eigen::Matrix<double, 6, 6> whole(const Mat32& F, Curvature kind) const {
+  Eigen::Matrix<double, 6, 6> whole(const Mat32& F, HessianKind kind) const {
     const FrameHessian h = hessian(F, kind);
     Eigen::Matrix<double, 6, 6> H;
     H << h.uu, h.uv, h.uv.transpose(), h.vv;
@@ -55,7 +55,7 @@ inline std::vector<Element> elements() {
     all.push_back(
         {"stretch", [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, stretch.c, P.u); },
          [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, Lanes(Lanes::Constant(stretch.c)), P.u); },
-         [=](const Mat32& F, Curvature kind) {
+         [=](const Mat32& F, HessianKind kind) {
            FrameHessian h;
            h.uu = stretchHessian(F.col(0), stretch, kind);
            return h;
@@ -66,17 +66,17 @@ inline std::vector<Element> elements() {
     all.push_back(
         {"orthogonal shear", [=](const auto& F, auto& P) { return addOrthogonalShear(F, spring.k, spring.c, P); },
          [=](const auto& F, auto& P) { return addOrthogonalShear(F, spring.k, Lanes(Lanes::Constant(spring.c)), P); },
-         [=](const Mat32& F, Curvature kind) { return orthogonalShearHessian(F, spring, kind); }});
+         [=](const Mat32& F, HessianKind kind) { return orthogonalShearHessian(F, spring, kind); }});
     all.push_back(
         {"bw98 shear", [=](const auto& F, auto& P) { return addBw98Shear(F, spring.k, spring.c, P); },
          [=](const auto& F, auto& P) { return addBw98Shear(F, spring.k, Lanes(Lanes::Constant(spring.c)), P); },
-         [=](const Mat32& F, Curvature kind) { return bw98ShearHessian(F, spring, kind); }});
+         [=](const Mat32& F, HessianKind kind) { return bw98ShearHessian(F, spring, kind); }});
   }
   addStretches(damped_stretch);
   for (const double lambda : {0.0, 300.0})
     all.push_back({"isotropic", [=](const auto& F, auto& P) { return addIsotropic(F, 400.0, lambda, P); },
                    [=](const auto& F, auto& P) { return addIsotropic(F, 400.0, lambda, P); },
-                   [=](const Mat32& F, Curvature kind) { return isotropicHessian(F, 400.0, lambda, kind); }});
+                   [=](const Mat32& F, HessianKind kind) { return isotropicHessian(F, 400.0, lambda, kind); }});
   return all;
 }
 

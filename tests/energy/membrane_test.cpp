@@ -42,7 +42,7 @@ TEST_CASE("a membrane's exact Hessian is the derivative of its stress; projected
     for (const double scale : kScales) {
       INFO(element.name << " at " << scale);
       const Mat32 F = someGradient(scale);
-      const Mat6 exact = element.whole(F, Curvature::exact);
+      const Mat6 exact = element.whole(F, HessianKind::exact);
       Mat6 differences;
       for (int k = 0; k < 6; ++k)
         differences.col(k) = sharpDifference([&](double e) { return element.stress(moved(F, k, e)); }, 4e-3).reshaped();
@@ -50,7 +50,7 @@ TEST_CASE("a membrane's exact Hessian is the derivative of its stress; projected
       const Eigen::SelfAdjointEigenSolver<Mat6> eigen(exact);
       const Mat6 projected =
           eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
-      CHECK((element.whole(F, Curvature::projected) - projected).norm() < 1e-9 * exact.norm());
+      CHECK((element.whole(F, HessianKind::projected) - projected).norm() < 1e-9 * exact.norm());
     }
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("central differences of a membrane's energy and stress err by the squa
       INFO(element.name << " at " << scale);
       const Mat32 F = someGradient(scale);
       const double slope = element.stress(F).cwiseProduct(d).sum();
-      const Eigen::Matrix<double, 6, 1> curvature = element.whole(F, Curvature::exact) * d.reshaped();
+      const Eigen::Matrix<double, 6, 1> curvature = element.whole(F, HessianKind::exact) * d.reshaped();
       const auto energy = [&](double e) { return element.energy(F + e * d); };
       const auto stress = [&](double e) { return Mat32(element.stress(F + e * d)); };
       CHECK(orderOfDifference(energy, slope, 0.02) == Approx(2.0).margin(0.1));
@@ -75,9 +75,10 @@ TEST_CASE("every membrane term has a negative part where it is compressed or she
     INFO(element.name);
     double least = 0.0;
     for (const double scale : {0.3, 1.0})
-      least = std::min(least, Eigen::SelfAdjointEigenSolver<Mat6>(element.whole(someGradient(scale), Curvature::exact))
-                                  .eigenvalues()
-                                  .minCoeff());
+      least =
+          std::min(least, Eigen::SelfAdjointEigenSolver<Mat6>(element.whole(someGradient(scale), HessianKind::exact))
+                              .eigenvalues()
+                              .minCoeff());
     CHECK(least < -1.0);
   }
 }
@@ -122,6 +123,6 @@ TEST_CASE("cloth flattened to a line or a point has a finite energy and stress")
       INFO(element.name);
       CHECK(std::isfinite(element.energy(F)));
       CHECK(element.stress(F).allFinite());
-      CHECK(element.whole(F, Curvature::projected).allFinite());
+      CHECK(element.whole(F, HessianKind::projected).allFinite());
     }
 }

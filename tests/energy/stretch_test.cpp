@@ -18,22 +18,22 @@ TEST_CASE("a thread of no length has no direction and no force") {
   Column<double> stress{0.0, 0.0, 0.0};
   CHECK(addStretch(Column<double>{0.0, 0.0, 0.0}, 800.0, 1.0, stress) == 400.0);
   CHECK(dot(stress, stress) == 0.0);
-  CHECK(stretchHessian(Vec3::Zero(), {800.0, 1.0}, Curvature::exact).norm() == 0.0);
+  CHECK(stretchHessian(Vec3::Zero(), {800.0, 1.0}, HessianKind::exact).norm() == 0.0);
 }
 
 TEST_CASE("across a thread its tension stiffens, and its push is left out of the projected Hessian") {
   const Spring spring{800.0, 1.0};
   const Vec3 along = Vec3::UnitX(), across = Vec3::UnitY();
-  const auto stiffness = [&](double length, Curvature kind, const Vec3& direction) {
+  const auto stiffness = [&](double length, HessianKind kind, const Vec3& direction) {
     return direction.dot(stretchHessian(length * along, spring, kind) * direction);
   };
-  for (const Curvature kind : {Curvature::exact, Curvature::projected}) {
+  for (const HessianKind kind : {HessianKind::exact, HessianKind::projected}) {
     CHECK(stiffness(1.6, kind, along) == Approx(800.0));
     CHECK(stiffness(0.4, kind, along) == Approx(800.0));
     CHECK(stiffness(1.6, kind, across) == Approx(800.0 * 0.6 / 1.6));
   }
-  CHECK(stiffness(0.4, Curvature::exact, across) == Approx(-800.0 * 0.6 / 0.4));
-  CHECK(stiffness(0.4, Curvature::projected, across) == 0.0);
+  CHECK(stiffness(0.4, HessianKind::exact, across) == Approx(-800.0 * 0.6 / 0.4));
+  CHECK(stiffness(0.4, HessianKind::projected, across) == 0.0);
 }
 
 TEST_CASE("damping adds the force of the condition's rate") {

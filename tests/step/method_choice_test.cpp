@@ -19,7 +19,7 @@ Sum walk(MethodChoice& choice, int steps, double pd_lbfgs, double newton, double
     const double cost = by_newton ? newton : pd_lbfgs, once = by_newton && n % 10 == 0 ? factor : 0.0;
     sum.newton_steps += by_newton;
     sum.cost += cost + once;
-    by_newton ? choice.took(0.0, newton, once) : choice.took(pd_lbfgs, 0.0, 0.0);
+    by_newton ? choice.recordCost(0.0, newton, once) : choice.recordCost(pd_lbfgs, 0.0, 0.0);
   }
   return sum;
 }
@@ -63,8 +63,8 @@ TEST_CASE("factors count for a method in use") {
 TEST_CASE("pd-lbfgs is given as long as Newton has cost lately, its factors included") {
   MethodChoice choice;
   const int first = choice.patience();
-  choice.took(30.0, 0.0, 0.0);
+  choice.recordCost(30.0, 0.0, 0.0);
   CHECK(choice.patience() == first);
-  for (int n = 0; n < 40; ++n) choice.took(100.0, 300.0, 60.0);  // steps that were handed over
+  for (int n = 0; n < 40; ++n) choice.recordCost(100.0, 300.0, 60.0);  // steps that were handed over
   CHECK(choice.patience() == Approx(360).margin(1));
 }

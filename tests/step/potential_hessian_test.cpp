@@ -9,7 +9,7 @@ using namespace ease;
 namespace {
 
 /// The whole second derivative at x, bending too, 3n x 3n, column by column.
-Eigen::MatrixXd wholeHessian(PotentialScene& scene, const Positions& x, Curvature kind) {
+Eigen::MatrixXd wholeHessian(PotentialScene& scene, const Positions& x, HessianKind kind) {
   const int n = scene.cloth.vertexCount();
   BlockMatrix hessian(n, scene.cloth.topology().edges);
   scene.potential.hessian(x, kind, hessian);
@@ -19,19 +19,19 @@ Eigen::MatrixXd wholeHessian(PotentialScene& scene, const Positions& x, Curvatur
     Positions d = Positions::Zero(n, 3);
     d.data()[k] = 1.0;
     hessian.multiply(d, product);
-    scene.potential.addBending(d, product);
+    scene.potential.addBendingProduct(d, product);
     whole.col(k) = Eigen::Map<const Eigen::VectorXd>(product.data(), 3 * n);
   }
   return whole;
 }
 
 /// Product of the second derivative at x, bending too, with d.
-Positions timesHessian(PotentialScene& scene, const Positions& x, Curvature kind, const Positions& d) {
+Positions timesHessian(PotentialScene& scene, const Positions& x, HessianKind kind, const Positions& d) {
   BlockMatrix hessian(scene.cloth.vertexCount(), scene.cloth.topology().edges);
   scene.potential.hessian(x, kind, hessian);
   Positions product(x.rows(), 3);
   hessian.multiply(d, product);
-  scene.potential.addBending(d, product);
+  scene.potential.addBendingProduct(d, product);
   return product;
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("the exact Hessian is the derivative of the gradient, term by term and
       const Positions x = scale * scene.x, d = randomPositions(static_cast<int>(x.rows()), 10);
       const Positions expected = differenceOfGradient(scene, x, d);
       REQUIRE(expected.norm() > 1e-2);
-      CHECK((timesHessian(scene, x, Curvature::exact, d) - expected).norm() < 1e-8 * expected.norm());
+      CHECK((timesHessian(scene, x, HessianKind::exact, d) - expected).norm() < 1e-8 * expected.norm());
     }
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("where nothing is compressed, projecting the Hessian leaves out a litt
   for (unsigned seed = 10; seed < 13; ++seed) {
     const Positions d = randomPositions(static_cast<int>(x.rows()), seed);
     const Positions expected = differenceOfGradient(scene, x, d),
-                    product = timesHessian(scene, x, Curvature::projected, d);
+                    product = timesHessian(scene, x, HessianKind::projected, d);
     CHECK((product - expected).norm() < (sheared ? 0.02 : 1e-8) * expected.norm());
     CHECK(product.cwiseProduct(d).sum() >= (1.0 - 1e-8) * expected.cwiseProduct(d).sum());
   }
@@ -82,8 +82,8 @@ TEST_CASE(
     "the Hessian is symmetric; where cloth is compressed it is indefinite, and projected as positive as the masses") {
   PotentialScene scene;
   const Positions x = 0.6 * scene.x;
-  const Eigen::MatrixXd exact = wholeHessian(scene, x, Curvature::exact);
-  const Eigen::MatrixXd projected = wholeHessian(scene, x, Curvature::projected);
+  const Eigen::MatrixXd exact = wholeHessian(scene, x, HessianKind::exact);
+  const Eigen::MatrixXd projected = wholeHessian(scene, x, HessianKind::projected);
   CHECK((exact - exact.transpose()).norm() < 1e-13 * exact.norm());
   CHECK((projected - projected.transpose()).norm() < 1e-13 * projected.norm());
   const std::vector<double>& masses = scene.cloth.masses();
@@ -96,7 +96,7 @@ TEST_CASE(
 TEST_CASE("contact adds its stiffness to the Hessian along the normal alone, and to the samples' vertices alone") {
   PotentialScene scene;
   scene.potential.setContacts({});
-  const Eigen::MatrixXd without = wholeHessian(scene, scene.x, Curvature::exact);
+  const Eigen::MatrixXd without = wholeHessian(scene, scene.x, HessianKind::exact);
   const int n = scene.cloth.vertexCount(), edge = 7;
   const auto [a, b] = scene.cloth.topology().edges[edge].vertex;
   Contacts contacts;
@@ -106,7 +106,7 @@ TEST_CASE("contact adds its stiffness to the Hessian along the normal alone, and
   plane.normal = normal;
   plane.offset = normal.dot(0.5 * (scene.x.row(a) + scene.x.row(b))) + 5e-4;  // half a millimetre deep
   scene.potential.setContacts(contacts);
-  const Eigen::MatrixXd added = wholeHessian(scene, scene.x, Curvature::exact) - without;
+  const Eigen::MatrixXd added = wholeHessian(scene, scene.x, HessianKind::exact) - without;
 
   double area = 0.0;
   for (const int t : scene.cloth.topology().edges[edge].triangle)

@@ -51,9 +51,9 @@ TEST_CASE("secant pairs make the directions of the two loops, however many there
   for (int n = 0; n < 12; ++n) {
     const Positions gradient = gradientAt(x), expected = loops.direction(gradient, 0.3);
     Positions d;
-    pairs.bend(gradient, d);
+    pairs.applyFirstLoop(gradient, d);
     d *= 0.3;
-    const double slope = pairs.bendBack(gradient, d);
+    const double slope = pairs.applySecondLoop(gradient, d);
     CHECK((d - expected).norm() < 1e-10 * expected.norm());
     CHECK(slope == Approx(product(gradient, expected)));
     const Positions next = x + 0.5 * expected + 0.01 * randomPositions(rows, n);
@@ -70,11 +70,11 @@ TEST_CASE("secant pairs that are not convex are left out") {
   pairs.remember(x, x, next, next);
   REQUIRE_FALSE(pairs.empty());
   Positions before, after;
-  pairs.bend(gradient, before);
-  pairs.bendBack(gradient, before);
+  pairs.applyFirstLoop(gradient, before);
+  pairs.applySecondLoop(gradient, before);
   pairs.remember(x, x, next, 2.0 * x - next);
-  pairs.bend(gradient, after);
-  pairs.bendBack(gradient, after);
+  pairs.applyFirstLoop(gradient, after);
+  pairs.applySecondLoop(gradient, after);
   CHECK(after == before);
   pairs.clear();
   CHECK(pairs.empty());
