@@ -12,15 +12,10 @@
 #include "apps/garment_pins.h"
 #include "apps/timeline.h"
 #include "solver/mesh/numbering.h"
-#include "solver/mesh/triangle_gradient.h"
+#include "solver/model/rest_shape.h"
 #include "solver/step/state.h"
 
 namespace ease {
-
-struct RestShape {
-  Positions positions;      // m
-  std::vector<Mat2> edges;  // of every triangle in its plane, m
-};
 
 struct Checkpoint {
   StepsDone done;

@@ -108,7 +108,8 @@ class Job {
       cloth_->setRest(from_->first_rest.positions, from_->first_rest.edges);
     else if (!input_.paint.empty())
       Stitcher(*cloth_, systemOrdering(cloth_->vertexCount(), cloth_->triangles())).rescale(*cloth_, input_.paint);
-    first_rest_ = {cloth_->restPositions(), cloth_->restEdges()};
+    first_rest_ = cloth_->rest();
+    cloth_->setFirst(first_rest_);
     first_inverse_ = cloth_->restInverse();
     first_areas_ = cloth_->restAreas();
     if (scene_.body) body_.emplace(movingBody(scene_, input_));
@@ -230,7 +231,7 @@ class Job {
       report_.warnings.push_back(
           fmt::format("{} triangles are still over the limit at {:g} times their first length: a load stretches them, "
                       "not the body's shape; is the cloth too weak for its weight, or pinned too far apart?",
-                      report_.run.fully_grown, kMostGrowth));
+                      report_.run.fully_grown, kMaxGrowth));
     report_.interrupted = interrupted_;
     report_.total_s = secondsSince(start);
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)

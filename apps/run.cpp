@@ -57,7 +57,7 @@ class Run {
         most_recovery_(kRecoverySpeed * scene.solver.time_step + bodyMotionOfStep(scene, input)),
         contact_stiffness_(contactStiffness(scene, input, cloth)) {
     if (!options.adapting || !scene.adaption) return;
-    clip_.emplace(cloth, scene.adaption->limit);
+    clip_.emplace(scene.adaption->limit);
     stitcher_.emplace(cloth, ordering_);
   }
 

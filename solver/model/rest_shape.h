@@ -1,0 +1,15 @@
+// Rest shape of the cloth: the shape without stretch, in space and triangle by triangle.
+#pragma once
+
+#include <vector>
+
+#include "solver/mesh/triangle_gradient.h"
+
+namespace ease {
+
+struct RestShape {
+  Positions positions;      // of the vertices in space, m
+  std::vector<Mat2> edges;  // of each triangle, flat in the material's plane (rows: warp, weft), m
+};
+
+}  // namespace ease
