@@ -53,7 +53,8 @@ LoopedMesh remeshedGarment(const LoopedMesh& garment, const GarmentTools& tools,
 /// Remeshes first, so that the rows of the extensions begin from evenly spaced vertices.
 void addExtensions(const GarmentTools& tools, LoopedMesh& region) {
   constexpr double kShortest = 0.006, kLongest = 0.02;  // m
-  const double asked = tools.edge_length > 0.0 ? tools.edge_length : std::sqrt(totalArea(region.mesh) / tools.resolution);
+  const double asked =
+      tools.edge_length > 0.0 ? tools.edge_length : std::sqrt(totalArea(region.mesh) / tools.resolution);
   const double edge = std::clamp(asked, kShortest, kLongest);
   region = withLoopNames(remeshed(region.mesh, edge), region);
   for (const Extension& extension : tools.extensions) extend(extension, edge, region);
