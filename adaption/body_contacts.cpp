@@ -15,7 +15,7 @@ BodyContacts::BodyContacts(MovingBody& body, const Cloth& cloth, std::span<const
       parts_per_shape_(schedule.steps_per_pose * substeps.time / substeps.interpolation),
       moving_parts_(schedule.poses > 1 ? timeStepsOfMotion(schedule) * schedule.cycles * substeps.time : 0),
       max_recovery_(max_recovery) {
-  sampleOffsets(offsets, cloth.triangles(), cloth.topology().edges, offsets_);
+  cloth.samples().values(offsets, offsets_);
 }
 
 int BodyContacts::partNumber(const Moment& moment, int part) const {
@@ -45,8 +45,7 @@ void BodyContacts::prepareNext(const Moment& moment, int part, const State& stat
   if (!moment.moves || shapeAt(next) == shapeAt(now)) return;
   // Where the samples will be, at their present velocity, half-way through the use of that level set.
   const double ahead_s = part_s * (1.0 + 0.5 * parts_per_shape_);
-  sampleCloth(state.positions + ahead_s * state.velocities, cloth_.triangles(), cloth_.topology().edges,
-              expected_samples_);
+  cloth_.samples().positions(state.positions + ahead_s * state.velocities, expected_samples_);
   beside.run([this, k = shapeAt(next)] { body_.prepare(k, expected_samples_); });
 }
 
@@ -75,7 +74,7 @@ void BodyContacts::recordUse(PassRecord& record) const {
 }
 
 std::span<const Vec3> BodyContacts::samplesAt(const Positions& x) {
-  sampleCloth(x, cloth_.triangles(), cloth_.topology().edges, samples_);
+  cloth_.samples().positions(x, samples_);
   return samples_;
 }
 

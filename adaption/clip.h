@@ -5,14 +5,14 @@
 //
 // after Wolff et al. 2022.  Compression is always allowed.
 //
-// Clipping alone is yielding without hardening, and necks like it: tension is the same all along a loop around the
-// body, so that the triangle that yields first relieves all others and is the one that yields the next time too.  Three
-// things spread the growth:
-//   - cloth that has grown already is let nearer to the limit than cloth that has not (hardening);
-//   - a triangle grows by a little at a time, so that the others have their share of what is left;
-//   - growth is smoothed over neighbours, whose tensors are comparable since all share the material's frame.
-// Cloth that hangs by its own weight, or is pinned apart, stays stretched however much it grows: it is let grow
-// kMostGrowth times its first length and no further.
+// Clipping alone acts like plastic yielding without hardening, which necks: tension is the same all along a loop around
+// the body, so that the triangle that yields first relieves all others and yields again the next time.  Three rules
+// spread the growth:
+//   - cloth that has already grown may come nearer to the limit than cloth that has not (hardening);
+//   - a triangle grows by at most 2 % at a time, which leaves a share of the growth to the others;
+//   - growth is averaged over adjacent triangles, whose tensors are comparable since all use the material's frame.
+// Cloth that hangs by its own weight, or is pinned apart, stays stretched however much it grows: it may grow to
+// kMaxGrowth times its first length and no further.
 //
 // Shirt of 3,032 vertices, T to A to arms up, 5 times: largest growth 1.8 where it was above 3.
 #pragma once
@@ -23,28 +23,28 @@
 
 namespace ease {
 
-/// Times its first length, that adaption lets cloth grow to: a body asks for less.
-constexpr double kMostGrowth = 3.0;
+/// Upper bound of growth: length over first length.  Fitting a body needs less.
+constexpr double kMaxGrowth = 3.0;
 
 class StretchClip {
  public:
-  /// Growth counts from the cloth's present rest shape.  `limit`: delta, > 0.
-  StretchClip(const Cloth& cloth, double limit);
+  /// `limit`: largest comfortable strain, delta > 0.
+  explicit StretchClip(double limit) : limit_(limit) {}
 
-  /// Growth tensor of every triangle for the cloth's present stretches; returns false where none grows.
+  /// Computes the growth tensor G of each triangle from the cloth's present stretches; returns false if none grows.
   bool clip(const Cloth& cloth, const std::vector<Stretch>& stretch, std::vector<Mat2>& growth);
 
-  /// Triangles, at the last clip(), that are stretched beyond the limit and have grown as much as they may.
+  /// Number of triangles that the last clip() found stretched beyond the limit although they have grown as much as
+  /// adaption allows.
   int fullyGrown() const { return fully_grown_; }
 
  private:
-  std::vector<Mat2> first_edges_;
   double limit_;
   int fully_grown_ = 0;
 };
 
-/// Stretch above which cloth grows that has grown `growth` times in that direction so far, and the stretch that it then
-/// grows to: below 1 + limit, so that it is kept between adaptions too.
+/// The stretch above which a triangle grows and the stretch that it grows to, after it has grown to `growth` times its
+/// first length in that direction.  Both are below 1 + limit, so that the limit also holds between adaptions.
 struct StretchGoal {
   double act_above, grow_to;
 };

@@ -12,7 +12,7 @@ namespace ease {
 
 class RestAdaption {
  public:
-  /// Growth counts from the cloth's present rest shape.  `limit`: delta; principal stretch stays below 1 + delta.
+  /// Growth counts from the cloth's first rest shape.  `limit`: delta; principal stretch is to stay below 1 + delta.
   /// `ordering`: of the mesh's systems (gradient_system.h).
   RestAdaption(Cloth& cloth, double limit, std::span<const int> ordering);
 

@@ -51,7 +51,7 @@ Run::Run(const RunSettings& settings, const RunInput& input, Cloth& cloth)
 void Run::resume(const RunState& from) {
   resumed_from_ = from;
   state_ = from.cloth;
-  cloth_.setRest(from.rest.positions, from.rest.edges);
+  cloth_.setRest(from.rest);
   if (adaption_) adaption_->resume(from.wanted_edges.empty() ? from.rest.edges : from.wanted_edges);
 }
 
@@ -155,7 +155,7 @@ Snapshot Run::snapshot(const Moment& moment) {
 RunState Run::stateToGoOn(const Moment& moment) const {
   return {moment.done,
           state_,
-          {cloth_.restPositions(), cloth_.restEdges()},
+          cloth_.rest(),
           adaption_ ? adaption_->wantedEdges() : std::vector<Mat2>(),
           pins_.anchors()};
 }

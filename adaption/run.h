@@ -68,7 +68,7 @@ struct RunWatch {
 
 class Run {
  public:
-  /// The cloth has its first rest shape, from which growth counts.
+  /// Begins with the cloth's present rest shape; growth counts from its first.
   Run(const RunSettings& settings, const RunInput& input, Cloth& cloth);
 
   /// Takes the place of the start shape.  Must come before run().

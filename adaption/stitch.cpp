@@ -12,11 +12,11 @@ namespace ease {
 namespace {
 
 constexpr int kIterations = 10;
-constexpr int kRescaleIterations = 100;  // done once, and from further away
-constexpr double kNearness = 1e-3;       // of a vertex's part of the matrix: what does not grow stays where it is
+constexpr int kRescaleIterations = 100;  // more, since it is done once and starts further from the minimum
+constexpr double kNearness = 1e-3;       // share of a vertex's diagonal entry; keeps parts that do not grow in place
 
-// Cosine of the angle by which the mesh is bent across an edge.
-double bend(const Cloth& cloth, const Positions& x, const Edge& edge) {
+/// Cosine of the angle by which the mesh is bent across an edge.
+double bendCosine(const Cloth& cloth, const Positions& x, const Edge& edge) {
   const auto normal = [&](int t) {
     const auto corners = cloth.triangles().row(t);
     return doubleAreaNormal(x.row(corners[0]), x.row(corners[1]), x.row(corners[2])).normalized();
@@ -24,7 +24,8 @@ double bend(const Cloth& cloth, const Positions& x, const Edge& edge) {
   return normal(edge.triangle[0]).dot(normal(edge.triangle[1]));
 }
 
-// The smallest edges that are as long as `wanted` and as `growth` times the present `edges`, in every direction.
+/// The smallest edges that are at least as long as `wanted` and as `growth` times the present `edges` in every
+/// direction.
 Mat2 atLeastBoth(const Mat2& wanted, const Mat2& growth, const Mat2& edges) {
   if (growth == Mat2::Identity()) return wanted;
   const Mat2 map = growth * edges * wanted.inverse();
@@ -47,22 +48,26 @@ Mat32 nearestRotation(const Mat32& A) {
 int foldedEdges(const Cloth& cloth, const Positions& first) {
   int folded = 0;
   for (const Edge& edge : cloth.topology().edges)
-    if (!edge.isBoundary() && bend(cloth, cloth.restPositions(), edge) < -0.5 && bend(cloth, first, edge) > 0.0)
+    if (!edge.isBoundary() && bendCosine(cloth, cloth.restPositions(), edge) < -0.5 &&
+        bendCosine(cloth, first, edge) > 0.0)
       ++folded;
   return folded;
 }
 
 Stitcher::Stitcher(const Cloth& cloth, std::span<const int> ordering)
-    : system_(cloth.vertexCount(), cloth.triangles(), ordering), reference_inverse_(cloth.restInverse()) {
+    : system_(cloth.vertexCount(), cloth.triangles(), ordering), wanted_(cloth.first().edges) {
+  std::vector<double> areas;
+  for (const Mat2& edges : wanted_) {
+    reference_inverse_.push_back(edges.inverse());
+    areas.push_back(0.5 * edges.determinant());
+  }
   std::vector<double> diagonal(cloth.vertexCount(), 0.0);
   for (int t = 0; t < cloth.triangleCount(); ++t) {
     const Mat32 b = shapeGradients(reference_inverse_[t]);
-    for (int a = 0; a < 3; ++a)
-      diagonal[cloth.triangles()(t, a)] += kNearness * cloth.restAreas()[t] * b.row(a).squaredNorm();
+    for (int a = 0; a < 3; ++a) diagonal[cloth.triangles()(t, a)] += kNearness * areas[t] * b.row(a).squaredNorm();
   }
-  if (!system_.factor(reference_inverse_, cloth.restAreas(), diagonal))
+  if (!system_.factor(reference_inverse_, areas, diagonal))
     throw ComputationError("stitching: the garment's Laplacian is not positive definite");
-  wanted_ = cloth.restEdges();
   rest_edges_.resize(cloth.triangleCount());
   targets_.resize(cloth.triangleCount());
 }
@@ -92,7 +97,7 @@ void Stitcher::fitWanted(Cloth& cloth, int iterations) {
     const Mat32 edges = edgeMatrix(x_, cloth.triangles(), t);
     rest_edges_[t] = nearestRotation(edges * wanted_[t].inverse()).transpose() * edges;
   });
-  cloth.setRest(x_, rest_edges_);
+  cloth.setRest({x_, rest_edges_});
 }
 
 }  // namespace ease

@@ -1,4 +1,4 @@
-// Stretch of the cloth, per triangle.
+// Stretch of the cloth in each triangle.
 //
 //   F = U diag(sigma_1, sigma_2) Vᵀ, 3x2: sigma_1 >= sigma_2 principal stretches, dimensionless; 1 is unstretched
 #pragma once
@@ -18,18 +18,19 @@ struct Stretch {
 /// Principal stretches of one deformation gradient (3x2 or 2x2), in closed form.
 Stretch principalStretch(const Mat2& metric);  // metric FᵀF
 
+/// Computes the stretch of each triangle for vertices at x.
 void measureStretch(const Cloth& cloth, const Positions& x, std::vector<Stretch>& stretch);
 
-/// What people ask of a set of stretches.
+/// Summary of a set of stretches.
 struct StretchStatistics {
   double max = 0.0, p99 = 0.0;
   double share_over_limit = 0.0;  // of the triangles, 0 to 1
 };
 
-/// Statistics of a value per triangle against 1 + limit.
+/// Summarises one stretch per triangle; the share counts those above 1 + limit.
 StretchStatistics stretchStatistics(std::vector<double> values, double limit);
 
-/// sigma_1 of every triangle.
+/// The larger principal stretch sigma_1 of each triangle.
 std::vector<double> firstStretches(const std::vector<Stretch>& stretch);
 
 }  // namespace ease

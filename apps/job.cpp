@@ -240,7 +240,7 @@ class Job {
       report_.warnings.push_back(
           fmt::format("{} triangles are still over the limit at {:g} times their first length: a load stretches them, "
                       "not the body's shape; is the cloth too weak for its weight, or pinned too far apart?",
-                      report_.run.fully_grown, kMostGrowth));
+                      report_.run.fully_grown, kMaxGrowth));
     report_.interrupted = interrupted_;
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
       std::fputs(fmt::format("ease: warning: {}\n", report_.warnings[k]).c_str(), stderr);

@@ -17,6 +17,7 @@
 #include "collision/level_set.h"
 #include "solver/io/mesh_io.h"
 #include "solver/mesh/topology.h"
+#include "solver/model/samples.h"
 #include "tests/collision/bodies.h"
 #include "tests/places.h"
 
@@ -42,16 +43,12 @@ struct Errors {
 /// What the errors may be at a voxel of 1 cm: about twice what the scans give.
 constexpr Errors kBound = {0.06, 0.3, 2.5, 0.01};
 
-/// Vertices, edge midpoints and centroids.
+/// Positions of the garment's contact samples.
 std::vector<Vec3> samplesOf(const TriangleMesh& garment, const std::string& name) {
-  const Positions& x = garment.positions;
   std::vector<Vec3> samples;
-  for (Eigen::Index v = 0; v < x.rows(); ++v) samples.push_back(x.row(v));
-  for (const Edge& edge : buildTopology(garment, name).edges)
-    samples.push_back(0.5 * (x.row(edge.vertex[0]) + x.row(edge.vertex[1])));
-  for (Eigen::Index t = 0; t < garment.triangles.rows(); ++t)
-    samples.push_back(
-        (x.row(garment.triangles(t, 0)) + x.row(garment.triangles(t, 1)) + x.row(garment.triangles(t, 2))) / 3.0);
+  const Topology topology = buildTopology(garment, name);
+  ContactSamples(static_cast<int>(garment.positions.rows()), topology.edges, garment.triangles)
+      .positions(garment.positions, samples);
   return samples;
 }
 

@@ -32,32 +32,6 @@ Vec3 motionOf(const BodyMoment& body, int triangle) {
 
 }  // namespace
 
-void sampleCloth(const Positions& x, const Triangles& triangles, const std::vector<Edge>& edges,
-                 std::vector<Vec3>& samples) {
-  const int n = static_cast<int>(x.rows()), e = static_cast<int>(edges.size());
-  samples.resize(n + e + triangles.rows());
-  parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
-    if (s < n) {
-      samples[s] = x.row(s);
-    } else if (s < n + e) {
-      const auto [i, j] = edges[s - n].vertex;
-      samples[s] = 0.5 * (x.row(i) + x.row(j));
-    } else {
-      const int t = s - n - e;
-      samples[s] = (x.row(triangles(t, 0)) + x.row(triangles(t, 1)) + x.row(triangles(t, 2))) / 3.0;
-    }
-  });
-}
-
-void sampleOffsets(std::span<const double> vertex_offsets, const Triangles& triangles, const std::vector<Edge>& edges,
-                   std::vector<double>& offsets) {
-  offsets.assign(vertex_offsets.begin(), vertex_offsets.end());
-  for (const Edge& edge : edges)
-    offsets.push_back(0.5 * (vertex_offsets[edge.vertex[0]] + vertex_offsets[edge.vertex[1]]));
-  for (const auto& t : triangles.rowwise())
-    offsets.push_back((vertex_offsets[t[0]] + vertex_offsets[t[1]] + vertex_offsets[t[2]]) / 3.0);
-}
-
 void ContactFinder::lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near) {
   const int count = static_cast<int>(samples.size());
   if (found_.size() != samples.size()) found_.assign(count, {0.0, Vec3::Zero(), -1});

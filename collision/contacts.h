@@ -14,18 +14,10 @@
 #include <vector>
 
 #include "collision/level_set.h"
-#include "solver/mesh/topology.h"
 #include "solver/model/contact.h"
+#include "solver/model/samples.h"
 
 namespace ease {
-
-/// Positions of all samples (contact.h), m.
-void sampleCloth(const Positions& x, const Triangles& triangles, const std::vector<Edge>& edges,
-                 std::vector<Vec3>& samples);
-
-/// Comfort offsets of all samples, m: the means of their vertices'.
-void sampleOffsets(std::span<const double> vertex_offsets, const Triangles& triangles, const std::vector<Edge>& edges,
-                   std::vector<double>& offsets);
 
 /// The body around the pose that a level set was made of.
 struct BodyMoment {

@@ -3,6 +3,7 @@
 
 #include "collision/triangle_tree_data.h"
 #include "solver/base/parallel.h"
+#include "solver/linear/incidence.h"
 
 namespace ease {
 
@@ -63,16 +64,16 @@ struct Builder {
   }
 };
 
+/// Lists the triangles around each vertex, in ascending order.
 void collectFans(TriangleTree::Data& tree) {
-  const int n = static_cast<int>(tree.positions.rows()), m = static_cast<int>(tree.triangles.rows());
-  tree.fan_begin.assign(n + 1, 0);
-  for (int t = 0; t < m; ++t)
-    for (int k = 0; k < 3; ++k) ++tree.fan_begin[tree.triangles(t, k) + 1];
-  std::partial_sum(tree.fan_begin.begin(), tree.fan_begin.end(), tree.fan_begin.begin());
-  tree.fan.resize(3 * m);
-  std::vector<int> next(tree.fan_begin.begin(), tree.fan_begin.end() - 1);
-  for (int t = 0; t < m; ++t)
-    for (int k = 0; k < 3; ++k) tree.fan[next[tree.triangles(t, k)]++] = t;
+  const int n = static_cast<int>(tree.positions.rows());
+  const Incidence corners(n, {tree.triangles.data(), static_cast<size_t>(tree.triangles.size())});
+  tree.fan_begin.assign(1, 0);
+  tree.fan.clear();
+  for (int v = 0; v < n; ++v) {
+    for (const int corner : corners.of(v)) tree.fan.push_back(corner / 3);
+    tree.fan_begin.push_back(static_cast<int>(tree.fan.size()));
+  }
 }
 
 /// The lowest other triangle that holds edge (a, b); -1: none.

@@ -38,16 +38,10 @@ class Lap {
   Clock::time_point last_ = Clock::now();
 };
 
-double areaOf(const TriangleMesh& mesh) {
-  double area = 0.0;
-  for (int t = 0; t < mesh.triangles.rows(); ++t) area += triangleArea(mesh.positions, mesh.triangles, t);
-  return area;
-}
-
 LoopedMesh remeshedGarment(const LoopedMesh& garment, const GarmentTools& tools, const Pause& pause) {
   int vertices = tools.resolution;
   if (tools.edge_length > 0.0) {  // of an equilateral mesh
-    const double wanted = areaOf(garment.mesh) / (0.5 * std::sqrt(3.0) * tools.edge_length * tools.edge_length);
+    const double wanted = totalArea(garment.mesh) / (0.5 * std::sqrt(3.0) * tools.edge_length * tools.edge_length);
     if (wanted > kMostVertices)
       throw InputError(fmt::format("edge_length = {:g}: {:.0f} vertices: expected at most {}", tools.edge_length,
                                    wanted, kMostVertices));
@@ -59,7 +53,8 @@ LoopedMesh remeshedGarment(const LoopedMesh& garment, const GarmentTools& tools,
 /// Remeshes first, so that the rows of the extensions begin from evenly spaced vertices.
 void addExtensions(const GarmentTools& tools, LoopedMesh& region) {
   constexpr double kShortest = 0.006, kLongest = 0.02;  // m
-  const double asked = tools.edge_length > 0.0 ? tools.edge_length : std::sqrt(areaOf(region.mesh) / tools.resolution);
+  const double asked =
+      tools.edge_length > 0.0 ? tools.edge_length : std::sqrt(totalArea(region.mesh) / tools.resolution);
   const double edge = std::clamp(asked, kShortest, kLongest);
   region = withLoopNames(remeshed(region.mesh, edge), region);
   for (const Extension& extension : tools.extensions) extend(extension, edge, region);

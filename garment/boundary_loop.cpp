@@ -149,9 +149,7 @@ std::vector<double> signedDistances(const EdgeCurve& curve, const std::vector<si
                                     const TriangleMesh& mesh, const Topology& topology, double reach) {
   const std::vector<Vec3> points = placed(curve, mesh.positions);
   const int vertices = static_cast<int>(mesh.positions.rows());
-  std::vector<std::vector<int>> neighbours(vertices);
-  for (const Edge& edge : topology.edges)
-    for (const int k : {0, 1}) neighbours[edge.vertex[k]].push_back(edge.vertex[1 - k]);
+  const std::vector<std::vector<int>> neighbours = vertexNeighbours(topology, vertices);
   std::vector<char> is_known(vertices, 0);
   std::vector<double> values(vertices);
   for (int v = 0; v < vertices; ++v) values[v] = side[v] * reach;

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "collision/contacts.h"
 #include "collision/level_set.h"
 #include "solver/base/error.h"
 #include "solver/base/parallel.h"
 #include "solver/mesh/topology.h"
+#include "solver/model/samples.h"
 
 namespace ease {
 namespace {
@@ -28,28 +27,13 @@ constexpr double kOnSurface = 1e-6;  // m
 
 /// What every vertex is smoothed with: on a loop its two neighbours there, elsewhere all.
 std::vector<std::vector<int>> smoothingNeighbours(const LoopedMesh& garment, const Topology& topology) {
-  std::vector<std::vector<int>> neighbours(garment.mesh.positions.rows());
-  for (const Edge& edge : topology.edges)
-    for (const int k : {0, 1}) neighbours[edge.vertex[k]].push_back(edge.vertex[1 - k]);
+  std::vector<std::vector<int>> neighbours =
+      vertexNeighbours(topology, static_cast<int>(garment.mesh.positions.rows()));
   for (const std::vector<int>& loop : topology.boundary_loops) {
     const size_t n = loop.size();
     for (size_t i = 0; i < n; ++i) neighbours[loop[i]] = {loop[(i + n - 1) % n], loop[(i + 1) % n]};
   }
   return neighbours;
-}
-
-/// Vertices whose mean a sample is (contact.h).
-struct SampleCorners {
-  int count;
-  std::array<int, 3> vertex;
-};
-
-std::vector<SampleCorners> sampleCorners(const LoopedMesh& garment, const Topology& topology) {
-  std::vector<SampleCorners> corners;
-  for (int v = 0; v < garment.mesh.positions.rows(); ++v) corners.push_back({1, {v, v, v}});
-  for (const Edge& edge : topology.edges) corners.push_back({2, {edge.vertex[0], edge.vertex[1], edge.vertex[1]}});
-  for (const auto& t : garment.mesh.triangles.rowwise()) corners.push_back({3, {t[0], t[1], t[2]}});
-  return corners;
 }
 
 class Mover {
@@ -59,16 +43,16 @@ class Mover {
         garment_(garment),
         topology_(buildTopology(garment.mesh, "garment")),
         neighbours_(smoothingNeighbours(garment, topology_)),
-        corners_(sampleCorners(garment, topology_)),
+        contact_samples_(static_cast<int>(garment.mesh.positions.rows()), topology_.edges, garment.mesh.triangles),
         start_(garment.mesh.positions),
         level_set_({kVoxel, *std::max_element(offsets.begin(), offsets.end()) + kBand}) {}
 
   /// Returns the number of vertices that lack room.
   int operator()(std::vector<double> offsets) {
-    sampleCloth(garment_.mesh.positions, garment_.mesh.triangles, topology_.edges, samples_);
+    contact_samples_.positions(garment_.mesh.positions, samples_);
     level_set_.build(body_, samples_, 0.0);
     const int held = limitToRoom(offsets);
-    sampleOffsets(offsets, garment_.mesh.triangles, topology_.edges, wanted_);
+    contact_samples_.values(offsets, wanted_);
     for (int round = 0; round < kMostRounds; ++round) {
       const bool is_last_part = round >= kSmoothingRounds;
       if (!is_last_part) smooth();
@@ -109,7 +93,7 @@ class Mover {
   }
 
   void lookUp(bool exactly) {
-    sampleCloth(garment_.mesh.positions, garment_.mesh.triangles, topology_.edges, samples_);
+    contact_samples_.positions(garment_.mesh.positions, samples_);
     found_.resize(samples_.size());
     level_set_.sample(samples_, found_);
     if (!exactly) return;
@@ -136,8 +120,9 @@ class Mover {
     std::vector<Vec3> out(most.size(), Vec3::Zero());
     for (size_t s = 0; s < samples_.size(); ++s) {
       const double lack = wanted_[s] - found_[s].phi;
-      for (int k = 0; k < corners_[s].count; ++k) {
-        const int v = corners_[s].vertex[k];
+      const SampleCorners corners = contact_samples_.corners(static_cast<int>(s));
+      for (int k = 0; k < corners.count; ++k) {
+        const int v = corners.vertex[k];
         if (lack <= most[v]) continue;
         most[v] = lack;
         out[v] = found_[s].normal;
@@ -156,7 +141,7 @@ class Mover {
   LoopedMesh& garment_;
   Topology topology_;
   std::vector<std::vector<int>> neighbours_;
-  std::vector<SampleCorners> corners_;
+  ContactSamples contact_samples_;
   Positions start_;
   LevelSet level_set_;
   std::vector<double> wanted_;  // of every sample, m

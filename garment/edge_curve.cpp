@@ -43,8 +43,7 @@ struct IsolineWalk {
       curve.points.push_back(pointOn(edge));
       if (triangle < 0) return curve;
       edge = across(triangle, edge);
-      const auto& sides = topology.edges[edge].triangle;
-      triangle = sides[0] == triangle ? sides[1] : sides[0];
+      triangle = topology.edges[edge].triangleAcross(triangle);
       curve.is_closed = edge == start;
       if (curve.is_closed) return curve;
     }

@@ -1,7 +1,6 @@
 #include "garment/extension.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +11,6 @@
 
 namespace ease {
 namespace {
-
-NamedLoop& loopOf(LoopedMesh& garment, const std::string& name) {
-  std::vector<std::string> names;
-  for (NamedLoop& loop : garment.loops) {
-    if (loop.name == name) return loop;
-    names.push_back("'" + loop.name + "'");
-  }
-  throw InputError(fmt::format("extension: loop = '{}': expected one of {}", name, fmt::join(names, ", ")));
-}
 
 /// Mean direction from the garment's inside to its loop, across the loop's edges.
 Vec3 awayFromGarment(const LoopedMesh& garment, const std::vector<int>& loop) {
@@ -78,7 +68,8 @@ Vec3 vectorArea(const std::vector<Vec3>& loop) {
 }
 
 void extend(const Extension& extension, double edge_length, LoopedMesh& garment) {
-  NamedLoop& loop = loopOf(garment, extension.loop);
+  const std::string where = fmt::format("extension: loop = '{}'", extension.loop);
+  NamedLoop& loop = garment.loops[loopNamed(garment.loops, extension.loop, where)];
   const std::vector<Vec3> start = positionsOf(loop.vertices, garment.mesh.positions);
   const Vec3 centre = centreOfMass(start), move = displacement(extension, garment, loop, centre);
   const int n = static_cast<int>(start.size()), first = static_cast<int>(garment.mesh.positions.rows());

@@ -59,12 +59,6 @@ void settleLoop(const DistanceField& field, const Plane& cut, const std::vector<
   for (int i = 0; i < count; ++i) positions.row(loop[i]) = points[i];
 }
 
-double meanEdgeLength(const Topology& topology, const Positions& positions) {
-  double sum = 0.0;
-  for (const Edge& edge : topology.edges) sum += (positions.row(edge.vertex[0]) - positions.row(edge.vertex[1])).norm();
-  return sum / static_cast<double>(topology.edges.size());
-}
-
 /// What a sample of the mesh lacks in clearance, m, and where out is there.
 Distance lack(const DistanceField& body, double clearance, const Vec3& x) {
   const Distance d = body(x);

@@ -1,6 +1,7 @@
 #include "garment/looped_mesh.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -9,6 +10,15 @@
 #include "solver/mesh/topology.h"
 
 namespace ease {
+
+size_t loopNamed(const std::vector<NamedLoop>& loops, const std::string& name, const std::string& where) {
+  std::vector<std::string> names;
+  for (size_t l = 0; l < loops.size(); ++l) {
+    if (loops[l].name == name) return l;
+    names.push_back("'" + loops[l].name + "'");
+  }
+  throw InputError(fmt::format("{}: expected one of {}", where, fmt::join(names, ", ")));
+}
 
 std::vector<Vec3> positionsOf(const std::vector<int>& vertices, const Positions& positions) {
   std::vector<Vec3> points;

@@ -18,6 +18,9 @@ struct LoopedMesh {
   std::vector<NamedLoop> loops;
 };
 
+/// Index of the loop called `name`.  Throws InputError, with `where` and the names that exist, if there is none.
+size_t loopNamed(const std::vector<NamedLoop>& loops, const std::string& name, const std::string& where);
+
 /// Positions of these vertices, m.
 std::vector<Vec3> positionsOf(const std::vector<int>& vertices, const Positions& positions);
 

@@ -11,9 +11,9 @@
 #include <iterator>
 #include <utility>
 
-#include "collision/contacts.h"
 #include "solver/base/parallel.h"
 #include "solver/mesh/topology.h"
+#include "solver/model/samples.h"
 
 namespace ease {
 namespace {
@@ -45,24 +45,23 @@ void measureAngles(const TriangleMesh& mesh, MeshQuality& quality) {
 }
 
 void measureEdges(const TriangleMesh& mesh, const Topology& topology, MeshQuality& quality) {
-  double sum = 0.0;
+  quality.mean_edge_m = meanEdgeLength(topology, mesh.positions);
   quality.shortest_edge_m = 1e9;
   for (const Edge& edge : topology.edges) {
     const double length = (mesh.positions.row(edge.vertex[0]) - mesh.positions.row(edge.vertex[1])).norm();
-    sum += length;
     quality.shortest_edge_m = std::min(quality.shortest_edge_m, length);
     quality.longest_edge_m = std::max(quality.longest_edge_m, length);
   }
-  quality.mean_edge_m = sum / static_cast<double>(topology.edges.size());
 }
 
 void measureDistances(const TriangleMesh& mesh, const Topology& topology, const TriangleTree& body,
                       const std::vector<double>& offsets, MeshQuality& quality) {
   constexpr double kFarthest = 0.15, kNegligible = 1e-5;  // m
   std::vector<Vec3> samples;
-  sampleCloth(mesh.positions, mesh.triangles, topology.edges, samples);
+  const ContactSamples contact_samples(quality.vertices, topology.edges, mesh.triangles);
+  contact_samples.positions(mesh.positions, samples);
   std::vector<double> distances(samples.size()), wanted;
-  sampleOffsets(offsets, mesh.triangles, topology.edges, wanted);
+  contact_samples.values(offsets, wanted);
   parallelFor(static_cast<int>(samples.size()), 256,
               [&](int s) { distances[s] = body.signedDistance(samples[s], kFarthest); });
   for (size_t s = 0; s < samples.size(); ++s) quality.too_near += distances[s] < wanted[s] - kNegligible ? 1 : 0;

@@ -2,32 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <set>
 
+#include "solver/mesh/disjoint_sets.h"
 #include "solver/mesh/topology.h"
 
 namespace ease {
 namespace {
-
-/// Disjoint sets of 0 to n - 1; the least of a set stands for it.
-class Sets {
- public:
-  explicit Sets(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  void join(int i, int j) {
-    const int p = find(i), q = find(j);
-    parent_[std::max(p, q)] = std::min(p, q);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 std::set<std::array<int, 2>> edgesOf(const std::vector<Seam>& seams) {
   std::set<std::array<int, 2>> edges;
@@ -41,12 +22,6 @@ std::set<std::array<int, 2>> edgesOf(const std::vector<Seam>& seams) {
   return edges;
 }
 
-int cornerOf(const Triangles& triangles, int t, int vertex) {
-  int k = 0;
-  while (triangles(t, k) != vertex) ++k;
-  return 3 * t + k;
-}
-
 }  // namespace
 
 Pieces cutIntoPieces(const TriangleMesh& garment, const std::vector<Seam>& seams) {
@@ -54,12 +29,13 @@ Pieces cutIntoPieces(const TriangleMesh& garment, const std::vector<Seam>& seams
   const std::set<std::array<int, 2>> seam_edges = edgesOf(seams);
   const int triangles = static_cast<int>(garment.triangles.rows());
   // Corners of triangles that stay together, across edges that are no seam, are one vertex.
-  Sets corners(3 * triangles), parts(triangles);
+  DisjointSets corners(3 * triangles), parts(triangles);  // corner k of triangle t is number 3 t + k
   for (const Edge& edge : topology.edges) {
     if (edge.isBoundary() || seam_edges.contains(edge.vertex)) continue;
     const auto [s, t] = edge.triangle;
     parts.join(s, t);
-    for (const int v : edge.vertex) corners.join(cornerOf(garment.triangles, s, v), cornerOf(garment.triangles, t, v));
+    for (const int v : edge.vertex)
+      corners.join(3 * s + cornerOf(garment.triangles, s, v), 3 * t + cornerOf(garment.triangles, t, v));
   }
 
   Pieces pieces;

@@ -40,7 +40,7 @@ std::vector<char> flood(const Topology& topology, const std::vector<std::vector<
     for (int k = 0; k < 3; ++k) {
       const Edge& edge = topology.edges[topology.triangle_edges(t, k)];
       if (edge.isBoundary() || walls.contains(edge.vertex)) continue;
-      const int next = edge.triangle[0] == t ? edge.triangle[1] : edge.triangle[0];
+      const int next = edge.triangleAcross(t);
       if (is_inside[next]) continue;
       is_inside[next] = 1;
       front.push_back(next);

@@ -107,9 +107,7 @@ TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::strin
   constexpr double kTolerance = 0.025;
   // An equilateral mesh has area / (sqrt(3)/2 edge^2) vertices; the remesher makes about this many times as many.
   constexpr double kSurplus = 1.22;
-  double area = 0.0;
-  for (int t = 0; t < mesh.triangles.rows(); ++t) area += triangleArea(mesh.positions, mesh.triangles, t);
-  const double expected = std::sqrt(kSurplus * area / (0.5 * std::sqrt(3.0) * vertices));
+  const double expected = std::sqrt(kSurplus * totalArea(mesh) / (0.5 * std::sqrt(3.0) * vertices));
   // The remesher treats all edges of a regular mesh alike, so that the number of vertices jumps with the edge length;
   // where that is in the way it starts from a finer mesh of its own, which is irregular.
   for (const bool from_finer : {false, true}) {

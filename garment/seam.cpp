@@ -1,7 +1,6 @@
 #include "garment/seam.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -24,15 +23,11 @@ class SeamFinder {
  public:
   explicit SeamFinder(const LoopedMesh& garment)
       : garment_(garment), topology_(buildTopology(garment.mesh, "garment")), paths_(garment.mesh, topology_) {
-    neighbours_.resize(garment.mesh.positions.rows());
-    for (const Edge& edge : topology_.edges)
-      for (const int k : {0, 1}) neighbours_[edge.vertex[k]].push_back(edge.vertex[1 - k]);
+    neighbours_ = vertexNeighbours(topology_, static_cast<int>(garment.mesh.positions.rows()));
     is_boundary_.resize(neighbours_.size(), 0);
     for (const std::vector<int>& loop : topology_.boundary_loops)
       for (const int v : loop) is_boundary_[v] = 1;
-    double sum = 0.0;
-    for (const Edge& edge : topology_.edges) sum += (at(edge.vertex[0]) - at(edge.vertex[1])).norm();
-    edge_length_ = sum / static_cast<double>(topology_.edges.size());
+    edge_length_ = meanEdgeLength(topology_, garment.mesh.positions);
   }
 
   const Topology& topology() const { return topology_; }
@@ -69,15 +64,6 @@ class SeamFinder {
  private:
   Vec3 at(int v) const { return garment_.mesh.positions.row(v); }
 
-  const std::vector<int>& loopNamed(const std::string& seam, const std::string& name) const {
-    std::vector<std::string> names;
-    for (const NamedLoop& loop : garment_.loops) {
-      if (loop.name == name) return loop.vertices;
-      names.push_back("'" + loop.name + "'");
-    }
-    refuse(seam, fmt::format("loop '{}': expected one of {}", name, fmt::join(names, ", ")));
-  }
-
   SeamLine inPlane(const SeamRequest& request) const {
     const Vec3 normal = request.plane->normal.normalized();
     std::vector<double> heights(neighbours_.size());
@@ -113,7 +99,11 @@ class SeamFinder {
 
   /// Begins and ends where the loops are nearest to what comes next.
   SeamLine betweenLoops(const SeamRequest& request) const {
-    const std::vector<int>&from = loopNamed(request.name, request.from), &to = loopNamed(request.name, request.to);
+    const auto verticesOf = [&](const std::string& loop) -> const std::vector<int>& {
+      return garment_.loops[loopNamed(garment_.loops, loop, fmt::format("seam '{}': loop '{}'", request.name, loop))]
+          .vertices;
+    };
+    const std::vector<int>&from = verticesOf(request.from), &to = verticesOf(request.to);
     const auto nearestTo = [&](const std::vector<int>& loop, const Vec3& x) {
       return *std::min_element(loop.begin(), loop.end(),
                                [&](int p, int q) { return (at(p) - x).squaredNorm() < (at(q) - x).squaredNorm(); });

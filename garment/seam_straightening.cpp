@@ -46,9 +46,7 @@ std::vector<int> ringsFromChains(const Motion& motion, const std::vector<std::ve
 
 Motion planMotion(const std::vector<Seam>& seams, const std::vector<Seam>& loops, const Topology& topology,
                   size_t vertices) {
-  std::vector<std::vector<int>> neighbours(vertices);
-  for (const Edge& edge : topology.edges)
-    for (const int k : {0, 1}) neighbours[edge.vertex[k]].push_back(edge.vertex[1 - k]);
+  const std::vector<std::vector<int>> neighbours = vertexNeighbours(topology, static_cast<int>(vertices));
   Motion motion{neighbours, std::vector<int>(vertices, -1)};
   std::vector<char> stays(vertices, 0);
   for (size_t s = 0; s < seams.size(); ++s) leadChain(seams[s], static_cast<int>(s), motion, stays);

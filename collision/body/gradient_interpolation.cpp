@@ -7,6 +7,7 @@
 
 #include "solver/base/error.h"
 #include "solver/base/parallel.h"
+#include "solver/mesh/disjoint_sets.h"
 
 namespace ease {
 
@@ -58,20 +59,12 @@ std::vector<std::array<int, 3>> triangleNeighbours(const Triangles& triangles) {
 
 // Number of the connected part of each vertex.
 std::vector<int> connectedParts(int vertices, const Triangles& triangles) {
-  std::vector<int> root(vertices);
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int v) {
-    while (root[v] != v) v = root[v] = root[root[v]];
-    return v;
-  };
+  DisjointSets sets(vertices);
   for (int t = 0; t < triangles.rows(); ++t)
-    for (int a = 1; a < 3; ++a) {
-      const int i = find(triangles(t, 0)), j = find(triangles(t, a));
-      root[std::max(i, j)] = std::min(i, j);
-    }
+    for (int a = 1; a < 3; ++a) sets.join(triangles(t, 0), triangles(t, a));
   std::vector<int> part(vertices);
   int count = 0;
-  for (int v = 0; v < vertices; ++v) part[v] = root[v] == v ? count++ : part[find(v)];
+  for (int v = 0; v < vertices; ++v) part[v] = sets.find(v) == v ? count++ : part[sets.find(v)];
   return part;
 }
 

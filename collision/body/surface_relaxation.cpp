@@ -51,11 +51,7 @@ void flipToDelaunay(TriangleMesh& mesh, const Topology& topology) {
 
 /// Neighbours of every vertex; empty for those on the boundary.
 std::vector<std::vector<int>> innerNeighbours(const Topology& topology, int vertices) {
-  std::vector<std::vector<int>> neighbours(vertices);
-  for (const Edge& edge : topology.edges) {
-    neighbours[edge.vertex[0]].push_back(edge.vertex[1]);
-    neighbours[edge.vertex[1]].push_back(edge.vertex[0]);
-  }
+  std::vector<std::vector<int>> neighbours = vertexNeighbours(topology, vertices);
   for (const std::vector<int>& loop : topology.boundary_loops)
     for (int v : loop) neighbours[v].clear();
   return neighbours;

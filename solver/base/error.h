@@ -1,4 +1,4 @@
-// The two ways in which a run fails, each with one line for the user; and how a long computation is stopped.
+// The two kinds of failure of a run, each with a one-line message, and the interruption of a long computation.
 #pragma once
 
 #include <exception>
@@ -7,22 +7,22 @@
 
 namespace ease {
 
-/// What the user gave cannot be used; names the file, the key or index, the value found and what was expected.
+/// The user's input cannot be used; the message names the file, the key or index, the value found and the expected one.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The computation could not go on (not positive definite, NaN, disk full); says where.
+/// The computation could not continue (not positive definite, NaN, disk full); the message says where.
 struct ComputationError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The user does not want to wait any longer.
+/// The user stopped the run.
 struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// Called between the parts of a long computation, which stops where it throws; may be empty.
+/// Called between the parts of a long computation, which it stops by throwing; may be empty.
 using Pause = std::function<void()>;
 
 inline void pauseIn(const Pause& pause) {

@@ -7,8 +7,8 @@
 
 namespace ease {
 
-/// The parts written one after the other; numbers as std::ostream writes them, with six significant digits, whatever
-/// the locale.
+/// Writes the parts one after the other; numbers with six significant digits as std::ostream does, independent of the
+/// locale.
 template <class... Parts>
 std::string joined(const Parts&... parts) {
   std::ostringstream text;

@@ -2,8 +2,8 @@
 //
 // Elements are independent in parallelFor; parallelSum adds partial sums of 64 fixed blocks in a fixed order.
 //
-// ThreadSanitizer cannot see the order that a libtbb built without it brings about, and would report every loop: built
-// with it, loops and tasks run on plain threads.
+// ThreadSanitizer cannot see the synchronisation inside a libtbb built without it and would report every loop; in
+// builds with it, loops and tasks therefore run on std::async.
 #pragma once
 
 #include <oneapi/tbb/blocked_range.h>
@@ -29,7 +29,7 @@ void parallelBlocks(int count, int grain, const Range& range) {
   others.get();
 }
 
-/// A task beside what follows.
+/// A task that runs beside the code that follows.
 class TaskBeside {
  public:
   template <class Task>
@@ -53,7 +53,7 @@ void parallelBlocks(int count, int grain, const Range& range) {
                     [&](const tbb::blocked_range<int>& r) { range(r.begin(), r.end()); });
 }
 
-/// A task beside what follows, waited for by wait(), which throws what the task did, or else by the destructor.
+/// A task that runs beside the code that follows.  wait() rethrows its exception; the destructor only waits.
 class TaskBeside {
  public:
   TaskBeside() = default;
@@ -62,7 +62,7 @@ class TaskBeside {
   ~TaskBeside() {
     try {
       group_.wait();
-    } catch (...) {  // what else went wrong is being told
+    } catch (...) {  // another exception is already being reported
     }
   }
   template <class Task>
@@ -89,7 +89,7 @@ void parallelFor(int count, int grain, const Body& body) {
   });
 }
 
-/// Sum of term(i) over [0, count), the same to the last bit for any number of threads.
+/// Sums term(i) over [0, count); the result is the same to the last bit for any number of threads.
 template <class Term>
 double parallelSum(int count, const Term& term) {
   constexpr int kBlocks = 64;

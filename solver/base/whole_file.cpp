@@ -14,7 +14,7 @@ namespace ease {
 
 namespace {
 
-// Returns 0 or the system's error number.  A full disk may show up only when the file is closed.
+/// Returns 0 or the system's error number.  A full disk may show up only when the file is closed.
 int writeBytes(const std::filesystem::path& file, std::string_view bytes) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) return errno;

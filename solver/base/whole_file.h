@@ -1,4 +1,4 @@
-// A file that is there whole or not at all.
+// Writing a file so that it appears complete or not at all.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace ease {
 
-/// The name under which `file` is written until it is whole.
+/// The name under which `file` is written until it is complete.
 std::filesystem::path temporaryName(const std::filesystem::path& file);
 
 /// Writes `bytes` to the temporary name and renames it to `file`, replacing what was there.  Throws ComputationError

@@ -1,7 +1,7 @@
-// The readers behind readMesh, one a file format, and what they share.
+// The readers behind readMesh, one per file format, and the functions that they share.
 //
-// PLY, OBJ and STL are read here, not by VTK: its PLY reader keeps single precision and never comes back from a
-// truncated file, its STL reader takes any bytes for triangles, its OBJ reader may number vertices anew.
+// PLY, OBJ and STL are read here, not by VTK: its PLY reader keeps single precision and never returns from a
+// truncated file, its STL reader accepts any bytes as triangles, its OBJ reader may renumber vertices.
 #pragma once
 
 #include <algorithm>
@@ -33,10 +33,10 @@ RawMesh readObj(std::string_view bytes, const std::string& name);
 RawMesh readStl(std::string_view bytes, const std::string& name);
 RawMesh readVtp(std::string_view bytes, const std::string& name);
 
-/// Refuses a .vtp file whose counts VTK's reader would crash over, or take memory for that the file cannot fill.
+/// Throws InputError for a .vtp file whose counts would make VTK crash or allocate memory that the file cannot fill.
 void checkVtpCounts(std::string_view bytes, const std::string& name);
 
-/// Cuts the first line off `text`, without its line end ("\n" or "\r\n").
+/// Removes the first line from `text`, without its line end ("\n" or "\r\n").
 inline std::string_view takeLine(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string_view line = text.substr(0, end);
@@ -45,7 +45,7 @@ inline std::string_view takeLine(std::string_view& text) {
   return line;
 }
 
-/// Cuts the first word off `text`, over line ends; empty at the end.
+/// Removes the first word from `text`, skipping line ends; empty at the end.
 inline std::string_view takeWord(std::string_view& text) {
   const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f'; };
   std::size_t begin = 0;
@@ -57,7 +57,7 @@ inline std::string_view takeWord(std::string_view& text) {
   return word;
 }
 
-/// The number that makes up the whole of `word`, whatever the locale; none if it is anything else.
+/// Parses all of `word` as one number, independent of the locale; returns none if that fails.
 template <class Number>
 std::optional<Number> parseNumber(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);

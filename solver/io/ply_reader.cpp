@@ -70,7 +70,7 @@ bool readProperty(std::string_view words, Header& header) {
   return !property.name.empty();
 }
 
-/// Cuts the header off `bytes`.
+/// Reads the header and removes it from `bytes`.
 Header readHeader(std::string_view& bytes, const std::string& name) {
   if (takeLine(bytes) != "ply")
     throw InputError(fmt::format("{}: not a PLY file: the first line is not \"ply\"", name));
@@ -138,7 +138,7 @@ class Body {
 
   std::size_t bytesLeft() const { return bytes_.size(); }
 
-  /// The next number; none at the end or where there is no number.
+  /// Reads the next number; returns none at the end or where the text is no number.
   std::optional<double> take(Type type) {
     if (text_) return parseNumber<double>(takeWord(bytes_));
     if (bytes_.size() < sizeOf(type)) return std::nullopt;
@@ -190,7 +190,7 @@ bool isCorners(const Property& p) {
   return p.count_type && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
 
-/// Takes what a mesh needs of one vertex's or one face's property.
+/// Copies a property of one vertex or face to the mesh if the mesh needs it.
 void keepValues(const Element& element, const Property& property, const std::vector<double>& values, long long index,
                 const std::string& name, RawMesh& mesh) {
   if (element.name == "vertex" && !property.count_type && property.name.size() == 1) {
@@ -201,7 +201,7 @@ void keepValues(const Element& element, const Property& property, const std::vec
     if (values.size() < 3) throw InputError(fmt::format("{}: face {} has {} vertices", name, index, values.size()));
     std::vector<long long> corners(values.size());
     for (std::size_t k = 0; k < values.size(); ++k) {
-      // Text may hold any number where an index should be: none but a small integer is worth the conversion.
+      // Text may hold any number in place of an index; only integers of moderate size can be converted.
       const bool is_index = values[k] == std::floor(values[k]) && std::abs(values[k]) < 1e15;
       if (!is_index) throw InputError(fmt::format("{}: face {} has the vertex index {}", name, index, values[k]));
       corners[k] = static_cast<long long>(values[k]);
@@ -231,7 +231,7 @@ RawMesh readPly(std::string_view bytes, const std::string& name) {
   RawMesh mesh;
   std::vector<double> values;
   for (const Element& element : header.elements) {
-    // Every element takes at least a byte: no promise of the header makes the loop run longer than the file.
+    // Every element takes at least a byte, so that a wrong count in the header cannot outlast the file.
     if (element.count > static_cast<long long>(body.bytesLeft())) {
       throw InputError(fmt::format("{}: the header promises {} elements \"{}\", but only {} bytes follow", name,
                                    element.count, element.name, body.bytesLeft()));

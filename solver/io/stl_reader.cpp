@@ -69,12 +69,12 @@ std::vector<std::array<double, 3>> readTextCorners(std::string_view text, const 
   return corners;
 }
 
-/// One vertex for all corners of exactly the same coordinates, numbered in order of first appearance.
+/// Merges corners with exactly equal coordinates into one vertex, numbered in order of first appearance.
 RawMesh mergeCorners(const std::vector<std::array<double, 3>>& corners) {
   std::vector<int> sorted(corners.size());
   std::iota(sorted.begin(), sorted.end(), 0);
-  // Ordered by the corner's number among equals, so that each run of equals begins with its first appearance.  A file's
-  // NaN must not break the order; it is refused later, so where it stands is of no account.
+  // Equal coordinates are sorted by corner number, so that each run of equals begins with its first appearance.  NaN
+  // must not break the sort; its place is irrelevant, since it is refused later.
   const auto comesBefore = [&](int i, int j) {
     for (int k = 0; k < 3; ++k) {
       if (corners[i][k] != corners[j][k]) return std::is_lt(std::strong_order(corners[i][k], corners[j][k]));

@@ -1,4 +1,4 @@
-// What VTK's reader takes on trust from a .vtp file: counts that it allocates for, and block sizes that it divides by.
+// Checks of what VTK's reader trusts in a .vtp file: counts that it allocates for, block sizes that it divides by.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace ease {
 namespace {
 
-constexpr std::uint64_t kMostCompression = 4096;  // bytes of content for one of the file
+constexpr std::uint64_t kMaxCompression = 4096;  // bytes of content per byte of the file
 constexpr std::size_t npos = std::string_view::npos;
 
 /// The value of an attribute in a tag's text; empty if there is none.
@@ -30,7 +30,7 @@ std::string_view attribute(std::string_view tag, std::string_view name) {
   return {};
 }
 
-/// The first bytes that a text in base64 stands for, at most `count`.
+/// Decodes base64 text, at most `count` bytes of it.
 std::vector<unsigned char> fromBase64(std::string_view text, std::size_t count) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::vector<unsigned char> bytes;
@@ -52,7 +52,7 @@ std::vector<unsigned char> fromBase64(std::string_view text, std::size_t count) 
 class Counts {
  public:
   Counts(std::string_view bytes, const std::string& name)
-      : bytes_(bytes), name_(name), most_(kMostCompression * bytes.size()) {
+      : bytes_(bytes), name_(name), most_(kMaxCompression * bytes.size()) {
     const std::string_view file = tagNamed("<VTKFile", 0);
     compressed_ = !attribute(file, "compressor").empty();
     word_ = attribute(file, "header_type") == "UInt64" ? 8 : 4;
@@ -85,7 +85,7 @@ class Counts {
     return end == npos ? std::string_view() : bytes_.substr(at, end + 1 - at);
   }
 
-  /// As VTK reads a whole number; what is negative or too large is the largest.
+  /// Reads a whole number as VTK does; a negative or too large one becomes the largest.
   static std::uint64_t number(std::string_view text) {
     while (!text.empty() && (std::isspace(static_cast<unsigned char>(text.front())) || text.front() == '+'))
       text.remove_prefix(1);
@@ -111,13 +111,13 @@ class Counts {
     return value;
   }
 
-  /// A compressed array begins with the number of its blocks, their size and that of the last, which may be 0.
+  /// A compressed array begins with three numbers: of blocks, bytes per block, and bytes of the last, which may be 0.
   void checkBlocks(std::string_view content, bool in_base64) const {
     const std::size_t size = 3 * word_;
     const auto end = content.begin() + static_cast<long>(std::min(size, content.size()));
     const std::vector<unsigned char> header =
         in_base64 ? fromBase64(content, size) : std::vector<unsigned char>(content.begin(), end);
-    if (header.size() < size) return;  // VTK says that it is cut short
+    if (header.size() < size) return;  // VTK reports a file that is cut short
     const std::uint64_t blocks = wordAt(header, 0), block = wordAt(header, 1), last = wordAt(header, 2);
     if (blocks > 0 && block == 0) throw InputError(fmt::format("{}: damaged: an array in blocks of 0 bytes", name_));
     expectLittle(blocks, "blocks of an array");

@@ -17,14 +17,14 @@
 namespace ease {
 namespace {
 
-/// Keeps what VTK has to say instead of printing it.
+/// Stores VTK's messages instead of printing them.
 class MessageKeeper : public vtkOutputWindow {
  public:
   static MessageKeeper* New();
   void DisplayText(const char*) override {}
   void DisplayErrorText(const char* text) override { errors_ += text; }
 
-  /// The first error's own sentence: VTK writes "ERROR: In file, line n\nclass (address): sentence".
+  /// The sentence of the first error; VTK writes "ERROR: In file, line n\nclass (address): sentence".
   std::string firstSentence() const {
     const std::size_t line_end = errors_.find('\n');
     if (line_end == std::string::npos) return errors_;
@@ -41,8 +41,8 @@ class MessageKeeper : public vtkOutputWindow {
 };
 vtkStandardNewMacro(MessageKeeper);
 
-/// Puts a MessageKeeper in the place of VTK's one window for messages, and the former window back.  VTK logs to the
-/// terminal beside that window: the log is off meanwhile.
+/// Replaces VTK's global message window by a MessageKeeper, and restores it at the end.  VTK also logs to the terminal;
+/// that log is off meanwhile.
 class Silence {
  public:
   Silence()
@@ -93,7 +93,7 @@ RawMesh readVtp(std::string_view bytes, const std::string& name) {
     reader->ReadFromInputStringOn();
     reader->SetInputString(std::string(bytes));
     reader->Update();
-  } catch (const std::exception&) {  // of memory, in words that say nothing of the file
+  } catch (const std::exception&) {  // out of memory: its own message does not name the file
     throw InputError(fmt::format("{}: damaged: VTK finds counts in it that cannot be", name));
   }
   if (silence.keeper->hasError()) {

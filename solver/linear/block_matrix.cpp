@@ -35,7 +35,7 @@ void BlockMatrix::multiply(const Positions& x, Positions& y) const {
 
 namespace {
 
-// Scalar pattern of the blocks on and below the diagonal.
+/// Pattern of the scalar matrix: all entries on and below the diagonal.
 SparseMatrix scalarPattern(std::span<const int> start, std::span<const int> column) {
   const int n = static_cast<int>(start.size()) - 1;
   SparseMatrix lower(3 * n, 3 * n);

@@ -15,11 +15,11 @@ namespace ease {
 
 class BlockMatrix {
  public:
-  /// The same pattern for all; zero.
+  /// Couples the vertices that an edge joins; all entries are zero.
   BlockMatrix(int vertices, const std::vector<Edge>& edges);
 
   int rows() const { return static_cast<int>(start_.size()) - 1; }
-  /// Blocks of a row: columns ascending, the row's own among them.
+  /// Range of a row's blocks, by ascending column; the diagonal block is one of them.
   int rowBegin(int row) const { return start_[row]; }
   int rowEnd(int row) const { return start_[row + 1]; }
   int column(int block) const { return column_[block]; }
@@ -28,10 +28,10 @@ class BlockMatrix {
   Mat3& block(int block) { return blocks_[block]; }
   const Mat3& block(int block) const { return blocks_[block]; }
 
-  /// y = A x; y must not be x.
+  /// Computes y = A x; y and x must be different arrays.
   void multiply(const Positions& x, Positions& y) const;
 
-  /// Lower triangle as a scalar matrix of 3 x 3 blocks (3n x 3n).  Rows and columns of `fixed` vertices become those of
+  /// Copies the lower triangle to a scalar matrix, 3n x 3n.  Rows and columns of `fixed` vertices become those of
   /// the identity. `lower` keeps its pattern from the first call on.
   void toScalar(std::span<const char> fixed, SparseMatrix& lower) const;
 

@@ -23,7 +23,7 @@ struct Cholesky::Data {
   cholmod_dense* e = nullptr;
 
   explicit Data(Kind kind) {
-    openblas_set_num_threads(1);  // two threads lose at the sizes of a garment's supernodes
+    openblas_set_num_threads(1);  // a garment's supernodes are too small to gain by a second thread
     cholmod_start(&common);
     common.print = 0;
     common.supernodal = kind == Kind::kSupernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;

@@ -12,11 +12,11 @@
 // al. 2014), the stitcher of adapted triangles (Sorkine and Alexa 2007) and the interpolation of poses (Sumner and
 // Popovic 2004).  Weights that differ along warp and weft go into the columns of D^-1.
 //
-// Stitcher and interpolation have a simplicial factor, in double precision, which is made sooner.  Projective dynamics
-// solves for corrections some ten times a step and takes panels (panels.h).  Milliseconds at 10,000 vertices, one
-// thread: factor 9.6 simplicial, 15 supernodal; solve .68 simplicial, .60 panels (.35 with two threads).
+// Stitcher and interpolation use a simplicial factor, in double precision, which is faster to make.  Projective
+// dynamics solves for corrections some ten times a step and takes panels (panels.h).  Milliseconds at 10,000 vertices,
+// one thread: factor 9.6 simplicial, 15 supernodal; solve .68 simplicial, .60 panels (.35 with two threads).
 //
-// Tried, and not worth their code: the stitcher on projective dynamics' own factor (11 to 14 iterations for its 10, of
+// Tried and dropped: the stitcher on projective dynamics' own factor (11 to 14 iterations for its 10, of
 // panels: 3.4 ms for 5.5 at 4,271 vertices; with L-BFGS, on either's factor, 6 iterations and 2.0 ms; a run of the main
 // job is as fast to a hundredth with any of them).  CHOLMOD's update of a factor where contacts come and go: as long as
 // a new factor for 170, 380, 500 vertices of 1,100, 4,271, 10,000, while contacts ask for 13 factors in 480 steps.
@@ -32,27 +32,27 @@
 
 namespace ease {
 
-/// Lower triangle, all zero, of the matrix that couples every vertex with itself and its neighbours.
+/// Makes the lower triangle, all zero, of the matrix that couples each vertex with itself and its neighbours.
 SparseMatrix vertexPattern(int vertices, const Triangles& triangles);
 
-/// Ordering of a mesh's vertices that keeps factors sparse: found once, for all systems on the mesh (METIS).
+/// Orders a mesh's vertices so that factors stay sparse (METIS); one ordering serves all systems on the mesh.
 std::vector<int> systemOrdering(int vertices, const Triangles& triangles);
 
 class GradientSystem {
  public:
-  /// Analyses, once for a mesh's connectivity.  `ordering`: systemOrdering's, or empty: found anew.
+  /// Analyses the mesh's connectivity.  `ordering`: systemOrdering() of the mesh, or empty to compute it here.
   GradientSystem(int vertices, const Triangles& triangles, std::span<const int> ordering = {},
                  Cholesky::Kind kind = Cholesky::Kind::kSimplicial);
 
-  /// Sets the numbers and factors.  False if not positive definite.  Vertices that are `fixed` (none if empty) are
-  /// taken out: their rows become those of the identity.
+  /// Sets the matrix's values and factors it; returns false if it is not positive definite.  Rows of `fixed` vertices
+  /// (none if empty) become those of the identity.
   [[nodiscard]] bool factor(std::span<const Mat2> rest_inverse, std::span<const double> weights,
                             std::span<const double> diagonal, std::span<const char> fixed = {});
 
-  /// Positions for these targets, one a triangle; `anchors` are the y_i.
+  /// Computes the positions x for one target T_t per triangle; `anchors` are the y_i.
   void solve(std::span<const Mat32> targets, const Positions& anchors, Positions& x);
 
-  /// x such that A x = right, to single precision; they may be the same.  Supernodal systems alone.
+  /// Solves A x = right in single precision; x may be `right`.  Only for supernodal systems.
   void solveRounded(const Positions& right, Positions& x);
 
  private:
@@ -62,11 +62,12 @@ class GradientSystem {
   Cholesky cholesky_;
   Cholesky::Kind kind_;
   Panels panels_;
-  std::vector<std::array<int, 9>> slots_;  // of triangle t's corners p, q in the matrix's values; -1 above its diagonal
+  std::vector<std::array<int, 9>>
+      slots_;  // where corners p, q of triangle t stand in the values; -1 above the diagonal
   std::vector<int> diagonal_slots_;
   std::vector<Mat32> weighted_gradients_;  // w_t B_t
   std::vector<double> diagonal_;
-  Eigen::MatrixX3d right_;  // columns, as the factor takes them
+  Eigen::MatrixX3d right_;  // stored by columns, as the factor expects them
 };
 
 }  // namespace ease

@@ -1,5 +1,5 @@
-// Which elements touch a vertex: lets a loop over vertices gather what elements computed, without write conflicts and
-// in a fixed order.
+// The elements around each vertex: a loop over vertices can sum what elements computed in a fixed order, without write
+// conflicts between threads.
 #pragma once
 
 #include <span>
@@ -7,10 +7,10 @@
 
 namespace ease {
 
-/// For each vertex the (element, corner) pairs that name it, coded as element * corners + corner, ascending.
+/// Lists for each vertex the corners of elements that lie at it, as element * corners + corner, ascending.
 class Incidence {
  public:
-  /// `element_vertices`: `corners` vertex indices an element; negative ones are no vertex.
+  /// `element_vertices`: vertex indices, the same number for each element; negative ones are skipped.
   Incidence(int vertices, std::span<const int> element_vertices) : start_(vertices + 1, 0) {
     for (int v : element_vertices)
       if (v >= 0) ++start_[v + 1];

@@ -10,9 +10,9 @@ namespace ease {
 
 namespace {
 
-constexpr int kMostStride = 4;          // floats a row of x
-constexpr size_t kParts = 8;            // a subtree is at most this part of the work
-constexpr size_t kWorthASplit = 20000;  // entries: a smaller factor is solved before a second thread has woken up
+constexpr int kMaxStride = 4;          // floats per row of x
+constexpr size_t kParts = 8;           // a subtree has at most 1/kParts of the work
+constexpr size_t kMinToSplit = 20000;  // entries; a smaller factor is solved before a second thread has woken up
 
 using Quad = Eigen::Array4f;  // three right-hand sides of a row, and nothing
 using Vector = Eigen::Map<Eigen::VectorXf>;
@@ -42,7 +42,7 @@ void Panels::set(const PanelShape& shape, std::span<const double> values) {
 void Panels::findSubtrees() {
   const int count = shape_.panelCount(), n = shape_.first_column.back();
   std::vector<int> panel_of(n), parent(count, -1), first(count);
-  std::vector<size_t> entries(count);  // of a panel and all that lead to it
+  std::vector<size_t> entries(count);  // of a panel and all its descendants
   size_t total = 0;
   int most_rows = 0;
   for (int s = 0; s < count; ++s) {
@@ -72,23 +72,23 @@ void Panels::findSubtrees() {
   while (!open.empty()) {
     const int s = open.back();
     open.pop_back();
-    if (total > kWorthASplit && entries[s] > total / kParts) {
+    if (total > kMinToSplit && entries[s] > total / kParts) {
       top_.push_back(s);
       open.insert(open.end(), children[s].begin(), children[s].end());
     } else {
       const int columns = shape_.columnCount(s), below = shape_.rowCount(s) - columns;
       const std::span<const int> above(shape_.rows.data() + shape_.row_start[s] + columns, below);
-      subtrees_.push_back({first[s], s + 1, above, std::vector<float>(kMostStride * n), std::vector<float>(most_rows)});
+      subtrees_.push_back({first[s], s + 1, above, std::vector<float>(kMaxStride * n), std::vector<float>(most_rows)});
     }
   }
   std::sort(top_.begin(), top_.end());
   std::sort(subtrees_.begin(), subtrees_.end(), [](const Subtree& a, const Subtree& b) { return a.begin < b.begin; });
-  x_.resize(kMostStride * n);
+  x_.resize(kMaxStride * n);
   work_.resize(most_rows);
 }
 
-// L is solved column by column of the panel, then what the panel's unknowns do to the rows below is handed on: to x_ up
-// to last_column, to the updates beyond.
+/// Solves L for the panel's columns, one by one, and subtracts their products from the rows below: in x_ up to
+/// last_column, in `updates` beyond.
 template <>
 void Panels::forward<1>(int panel, int last_column, float* updates, float* work) {
   const int first = shape_.first_column[panel], width = shape_.columnCount(panel), height = shape_.rowCount(panel);
@@ -129,8 +129,8 @@ void Panels::backward<1>(int panel, float* work) {
   }
 }
 
-// Three right-hand sides, one quad a row: an entry of L is read once for all of them, and four rows (or columns) at a
-// time keep four sums in registers.
+/// Three right-hand sides, one quad per row: each entry of L is read once for all three, and four rows (or columns) at
+/// a time keep four sums in registers.
 template <>
 void Panels::forward<3>(int panel, int last_column, float* updates, float*) {
   const int first = shape_.first_column[panel], width = shape_.columnCount(panel), height = shape_.rowCount(panel);
@@ -199,7 +199,7 @@ void Panels::backward<3>(int panel, float*) {
 
 template <int Columns>
 void Panels::solveColumns(const double* b, double* x) {
-  constexpr int kStride = Columns == 1 ? 1 : kMostStride;
+  constexpr int kStride = Columns == 1 ? 1 : kMaxStride;
   const int n = shape_.first_column.back(), subtrees = static_cast<int>(subtrees_.size());
   const auto& ordering = shape_.ordering;
   parallelFor(n, 4096, [&](int k) {

@@ -4,11 +4,11 @@
 //
 // A solve reads the factor twice and does little else: it is bound by memory.  Panels need no index for each entry and
 // single precision halves what is left, so that an entry takes 4 bytes instead of 12.  That precision is enough for a
-// preconditioner, which is what every user of this wants: what a solve misses is left to the next one.
+// preconditioner, the only use of panels: the next iteration corrects the error of a solve.
 //
 // Nested dissection makes the elimination tree wide.  Its subtrees are solved side by side; what each does to the rows
-// of its ancestors waits in a buffer of its own, and the buffers are added in a fixed order: the same result for any
-// number of threads.
+// of its ancestors waits in a buffer of its own, and the buffers are added in a fixed order, so that the result is the
+// same for any number of threads.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,13 @@
 
 namespace ease {
 
-/// Where a supernodal factor's entries are.
+/// Positions of a supernodal factor's entries.
 struct PanelShape {
-  std::vector<int> first_column;    // of panel s; one more at the end: the number of columns
-  std::vector<int> row_start;       // panel s has rows[row_start[s]] to rows[row_start[s + 1]], its columns' own first
+  std::vector<int> first_column;    // of panel s; the last entry is the number of columns
+  std::vector<int> row_start;       // panel s has rows[row_start[s]] to rows[row_start[s + 1] - 1], diagonal first
   std::vector<int> rows;            // ascending within a panel
   std::vector<size_t> value_start;  // a panel's values lie column by column
-  std::vector<int> ordering;        // row of A that comes k-th
+  std::vector<int> ordering;        // its k-th entry is the row of A that comes k-th
   friend bool operator==(const PanelShape&, const PanelShape&) = default;
 
   int panelCount() const { return static_cast<int>(first_column.size()) - 1; }
@@ -33,7 +33,7 @@ struct PanelShape {
 
 class Panels {
  public:
-  /// Rounds the values of a factor of this shape.  Panels must be in postorder.
+  /// Takes the values of a factor of this shape, rounded.  Panels must be in postorder.
   void set(const PanelShape& shape, std::span<const double> values);
 
   /// Solves A x = b for `columns` right-hand sides, 1 or 3, given row by row: b[row * columns + column].  b and x may
@@ -45,8 +45,8 @@ class Panels {
  private:
   struct Subtree {
     int begin, end;              // panels
-    std::span<const int> above;  // rows of its ancestors that it reaches
-    std::vector<float> updates;  // for these, by row
+    std::span<const int> above;  // rows of ancestors that the subtree updates
+    std::vector<float> updates;  // for the rows `above`
     std::vector<float> work;
   };
   void findSubtrees();

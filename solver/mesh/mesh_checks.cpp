@@ -29,7 +29,7 @@ std::string describe(const Triangles& triangles, int t) {
   return joined("(", triangles(t, 0), ", ", triangles(t, 1), ", ", triangles(t, 2), ")");
 }
 
-/// The same vertices in the same sense of rotation, whichever comes first.
+/// Whether two triangles have equal vertices in equal rotational order, whichever vertex comes first.
 bool isSameTriangle(const Triangles& a, const Triangles& b, int t) {
   for (int shift = 0; shift < 3; ++shift) {
     bool same = true;
@@ -93,7 +93,7 @@ void checkGeometry(const TriangleMesh& mesh, const std::string& name) {
     if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {
       throw InputError(joined(name, ": triangle ", t, " has a vertex twice: ", describe(mesh.triangles, t)));
     }
-    // Not "area < least": all vertices in one point make both sides zero.
+    // Not "area < least": where all vertices coincide both sides are zero.
     const double area = triangleArea(mesh.positions, mesh.triangles, t);
     if (!(area > least_area)) {
       throw InputError(joined(name, ": triangle ", t, " of vertices ", describe(mesh.triangles, t),

@@ -1,4 +1,4 @@
-// What a mesh must hold before anything is computed with it.
+// Checks that a mesh passes before anything is computed with it.
 //
 // Vertices and triangles are counted from 0 in every message.
 #pragma once
@@ -16,17 +16,17 @@ void checkFinite(const Positions& positions, const std::string& name);
 /// a triangle with a repeated vertex or with an area below 1e-12 of the squared mesh diagonal.
 void checkGeometry(const TriangleMesh& mesh, const std::string& name);
 
-/// Throws InputError naming the first vertex that no triangle uses: in a garment it would have no mass.
+/// Throws InputError naming the first vertex without a triangle, which would have no mass in a garment.
 void checkVerticesUsed(const TriangleMesh& mesh, const std::string& name);
 
 /// Throws InputError where two poses have different numbers of vertices or triangles, or a triangle with other
-/// vertices, naming the first that differs; adds that `match = "triangles"` would do where the triangles correspond
-/// one to one in their order.
+/// vertices, naming the first that differs; suggests `match = "triangles"` where the triangles correspond one to one
+/// in their order.
 void checkSameTriangles(const TriangleMesh& first, const std::string& first_name, const TriangleMesh& other,
                         const std::string& other_name);
 
-/// Renumbers `other`'s vertices as in `first`, going by the order of the triangles.  Throws InputError where one vertex
-/// would have to be two, naming the triangle.
+/// Renumbers `other`'s vertices as in `first`, going by the order of the triangles.  Throws InputError, naming the
+/// triangle, if a vertex would need two numbers.
 TriangleMesh matchByTriangles(const TriangleMesh& first, const std::string& first_name, const TriangleMesh& other,
                               const std::string& other_name);
 

@@ -8,9 +8,9 @@ namespace ease {
 
 namespace {
 
-constexpr int kBits = 20;  // of a coordinate
+constexpr int kBits = 20;  // per coordinate
 
-// The bits of x, y and z in turn, for x within the box.
+/// Morton key of a point in the box: the bits of its coordinates x, y and z in turn.
 std::uint64_t placeOnCurve(const Eigen::AlignedBox3d& box, const Vec3& x) {
   const double cells = static_cast<double>(1 << kBits) / std::max(1e-300, box.sizes().maxCoeff());
   std::uint64_t place = 0;
@@ -21,7 +21,7 @@ std::uint64_t placeOnCurve(const Eigen::AlignedBox3d& box, const Vec3& x) {
   return place;
 }
 
-// Indices 0, 1, ... by their keys; of equal keys the lower index first.
+/// Sorts the indices 0, 1, ... by key; equal keys by index.
 template <class Key>
 std::vector<int> sorted(const std::vector<Key>& keys) {
   std::vector<int> order(keys.size());

@@ -1,7 +1,7 @@
-// Numbers of vertices and triangles along a curve through space, so that what is near each other on the cloth is near
-// each other in memory.
+// Numbers vertices and triangles along a curve through space, so that parts that are near each other on the cloth are
+// near each other in memory.
 //
-// Meshes come numbered as their makers pleased.  Loops over triangles that gather from vertices, and over vertices that
+// Meshes may come in any numbering.  Loops over triangles that gather from vertices, and over vertices that
 // gather from triangles, then wait for memory: on a scanned shirt of 4,271 vertices a step takes a quarter less time
 // once it is numbered along the curve (Z order, Morton 1966).
 #pragma once
@@ -17,18 +17,18 @@ struct Numbering {
   std::vector<int> triangles;  // the triangle that becomes the k-th
 };
 
-/// Vertices along the curve; triangles by the first of their vertices.
+/// Orders vertices along the curve, triangles by the first of their vertices on it.
 Numbering spatialNumbering(const TriangleMesh& mesh);
 
-/// The mesh, its vertices and triangles in their new order; corners of a triangle keep theirs.
+/// Puts vertices and triangles in their new order; the corners of a triangle keep theirs.
 TriangleMesh renumbered(const TriangleMesh& mesh, const Numbering& numbering);
 Triangles renumbered(const Triangles& triangles, const Numbering& numbering);
 Positions renumbered(const Positions& positions, const std::vector<int>& order);
 
-/// The new number of each vertex (or triangle).
+/// Inverts an order: the new number of each vertex (or triangle).
 std::vector<int> newNumbers(const std::vector<int>& order);
 
-/// Values in the new order.
+/// Puts values in the new order.
 template <class Value>
 std::vector<Value> renumbered(const std::vector<Value>& values, const std::vector<int>& order) {
   std::vector<Value> ordered(values.size());
@@ -36,7 +36,7 @@ std::vector<Value> renumbered(const std::vector<Value>& values, const std::vecto
   return ordered;
 }
 
-/// Values, `components` for each number, back in the order that they had.
+/// Puts values, `components` per vertex or triangle, back in their original order.
 template <class Value>
 std::vector<Value> restored(const std::vector<Value>& values, const std::vector<int>& order, size_t components = 1) {
   std::vector<Value> original(values.size());

@@ -17,7 +17,7 @@ struct Side {
   int high() const { return std::max(from, to); }
 };
 
-/// All sides, those of one edge next to each other, by triangle within.
+/// Lists all sides, sorted by edge and then by triangle, so that the sides of one edge are adjacent.
 std::vector<Side> sortedSides(const Triangles& triangles) {
   std::vector<std::pair<std::uint64_t, int>> order;  // both vertices as one key, 3 triangle + corner
   order.reserve(3 * triangles.rows());
@@ -61,7 +61,7 @@ void buildEdges(const Triangles& triangles, const std::string& name, Topology& t
     }
     checkManifold(&sides[begin], end - begin, name);
     Edge edge{{sides[begin].low(), sides[begin].high()}, {-1, -1}, {-1, -1}};
-    // The triangle that runs from the lower to the higher vertex comes first; a boundary edge has but one.
+    // The triangle that runs from the lower to the higher vertex comes first; a boundary edge has only one.
     for (std::size_t s = begin; s < end; ++s) {
       const int slot = end - begin == 2 && sides[s].from != edge.vertex[0] ? 1 : 0;
       edge.triangle[slot] = sides[s].triangle;
@@ -72,26 +72,22 @@ void buildEdges(const Triangles& triangles, const std::string& name, Topology& t
   }
 }
 
-int cornerOf(const Triangles& triangles, int t, int vertex) {
-  return triangles(t, 0) == vertex ? 0 : triangles(t, 1) == vertex ? 1 : 2;
-}
-
-/// Number of triangles met on turning about `vertex` from triangle `t`: over the edge opposite to corner + `side` (1 or
-/// 2) each time, up to the boundary or round to `t`.
+/// Counts the triangles around `vertex` from triangle `t` on, in one direction: each step crosses the edge opposite to
+/// corner + `side` (1 or 2), until the boundary or, where the fan `closes`, until `t` is reached again.
 int trianglesAlong(const Triangles& triangles, const Topology& topology, int vertex, int t, int side, bool& closes) {
   int count = 0;
   for (int current = t;;) {
     ++count;
     const int corner = cornerOf(triangles, current, vertex);
     const Edge& edge = topology.edges[topology.triangle_edges(current, (corner + side) % 3)];
-    const int next = edge.triangle[0] == current ? edge.triangle[1] : edge.triangle[0];
+    const int next = edge.triangleAcross(current);
     closes = next == t;
     if (next < 0 || closes) return count;
     current = next;
   }
 }
 
-/// All triangles of a vertex must be one fan, closed or open, to be turned through without a jump.
+/// Checks that the triangles of each vertex form one fan, closed or open: all are reached across shared edges.
 void checkFans(const TriangleMesh& mesh, const Topology& topology, const std::string& name) {
   std::vector<int> triangle_count(mesh.positions.rows(), 0), any_triangle(mesh.positions.rows(), -1);
   for (int t = 0; t < mesh.triangles.rows(); ++t) {
@@ -120,7 +116,8 @@ double loopLength(const Positions& positions, const std::vector<int>& loop) {
   return length;
 }
 
-/// Follows the boundary as its triangles run.  Where every vertex has one fan, one boundary edge leaves it at most.
+/// Follows the boundary in the direction of its triangles.  Each vertex has one fan of triangles, so that at most one
+/// boundary edge leaves it.
 std::vector<std::vector<int>> followBoundary(const TriangleMesh& mesh, const Topology& topology) {
   std::vector<int> next(mesh.positions.rows(), -1);
   for (const Edge& edge : topology.edges) {
@@ -156,6 +153,19 @@ Topology buildTopology(const TriangleMesh& mesh, const std::string& name) {
   checkFans(mesh, topology, name);
   topology.boundary_loops = followBoundary(mesh, topology);
   return topology;
+}
+
+std::vector<std::vector<int>> vertexNeighbours(const Topology& topology, int vertex_count) {
+  std::vector<std::vector<int>> neighbours(vertex_count);
+  for (const Edge& edge : topology.edges)
+    for (const int k : {0, 1}) neighbours[edge.vertex[k]].push_back(edge.vertex[1 - k]);
+  return neighbours;
+}
+
+double meanEdgeLength(const Topology& topology, const Positions& positions) {
+  double sum = 0.0;
+  for (const Edge& edge : topology.edges) sum += (positions.row(edge.vertex[0]) - positions.row(edge.vertex[1])).norm();
+  return sum / static_cast<double>(topology.edges.size());
 }
 
 }  // namespace ease

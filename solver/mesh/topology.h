@@ -22,6 +22,8 @@ struct Edge {
   std::array<int, 2> triangle;
   std::array<int, 2> opposite;
   bool isBoundary() const { return triangle[1] < 0; }
+  /// The triangle on the other side of the edge from triangle `t`; -1 on the boundary.
+  int triangleAcross(int t) const { return triangle[0] == t ? triangle[1] : triangle[0]; }
 };
 
 struct Topology {
@@ -31,8 +33,14 @@ struct Topology {
 };
 
 /// Throws InputError, naming `name` and the edge's vertices, where an edge has more than two triangles, where two
-/// neighbours are oriented against each other, or where a vertex joins two fans.  Vertices without triangles are
-/// allowed.
+/// adjacent triangles have opposite orientations, or where a vertex joins two fans of triangles that share no edge
+/// there.  Vertices without triangles are allowed.
 Topology buildTopology(const TriangleMesh& mesh, const std::string& name);
+
+/// Vertices joined to each vertex by an edge, in the order of the edges.
+std::vector<std::vector<int>> vertexNeighbours(const Topology& topology, int vertex_count);
+
+/// Mean length of all edges, m.
+double meanEdgeLength(const Topology& topology, const Positions& positions);
 
 }  // namespace ease

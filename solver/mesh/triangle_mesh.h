@@ -28,4 +28,16 @@ inline double triangleArea(const Positions& positions, const Triangles& triangle
   return 0.5 * doubleAreaNormal(a, b, c).norm();
 }
 
+/// Area of all triangles together, m^2.
+inline double totalArea(const TriangleMesh& mesh) {
+  double area = 0.0;
+  for (int t = 0; t < mesh.triangles.rows(); ++t) area += triangleArea(mesh.positions, mesh.triangles, t);
+  return area;
+}
+
+/// Corner 0, 1 or 2 of triangle `t` at which `vertex` lies; the vertex must be one of them.
+inline int cornerOf(const Triangles& triangles, int t, int vertex) {
+  return triangles(t, 0) == vertex ? 0 : triangles(t, 1) == vertex ? 1 : 2;
+}
+
 }  // namespace ease

@@ -4,7 +4,7 @@ namespace ease {
 
 namespace {
 
-// Flat edges of triangle t from its corner `corner` on: [next - corner, after next - corner].
+/// Flat edges of a triangle seen from `corner`: [p_(c+1) - p_c, p_(c+2) - p_c] for corners p_0, p_1, p_2, m.
 Mat2 edgesFrom(const Mat2& rest_edges, int corner) {
   Eigen::Matrix<double, 2, 3> p;
   p << Eigen::Vector2d::Zero(), rest_edges;
@@ -14,35 +14,35 @@ Mat2 edgesFrom(const Mat2& rest_edges, int corner) {
   return edges;
 }
 
-int cornerOf(const Triangles& triangles, int t, int vertex) {
-  return triangles(t, 0) == vertex ? 0 : triangles(t, 1) == vertex ? 1 : 2;
-}
-
 }  // namespace
 
 Cloth::Cloth(const TriangleMesh& mesh, const Vec3& grain, const Material& material)
     : triangles_(mesh.triangles), topology_(buildTopology(mesh, "garment")), material_(material), density_(1.0) {
-  std::vector<Mat2> rest_edges(triangles_.rows());
+  RestShape first{mesh.positions, std::vector<Mat2>(triangles_.rows())};
   double area = 0.0;
   for (int t = 0; t < triangles_.rows(); ++t) {
     const Mat32 edges = edgeMatrix(mesh.positions, triangles_, t);
-    rest_edges[t] = planeFrame(edges, grain).transpose() * edges;
-    area += 0.5 * rest_edges[t].determinant();
+    first.edges[t] = planeFrame(edges, grain).transpose() * edges;
+    area += 0.5 * first.edges[t].determinant();
   }
   density_ = material.total_mass ? *material.total_mass / area : material.density;
-  setRest(mesh.positions, rest_edges);
+  setFirst(first);
 }
 
-void Cloth::setRest(const Positions& rest_positions, const std::vector<Mat2>& rest_edges) {
+void Cloth::setFirst(const RestShape& first) {
+  first_ = first;
+  setRest(first_);
+}
+
+void Cloth::setRest(const RestShape& rest) {
   ++rest_revision_;
-  rest_positions_ = rest_positions;
-  rest_edges_ = rest_edges;
-  rest_inverse_.resize(rest_edges.size());
-  rest_areas_.resize(rest_edges.size());
+  rest_ = rest;
+  rest_inverse_.resize(rest_.edges.size());
+  rest_areas_.resize(rest_.edges.size());
   vertex_areas_.assign(vertexCount(), 0.0);
   for (int t = 0; t < triangleCount(); ++t) {
-    rest_inverse_[t] = rest_edges[t].inverse();
-    rest_areas_[t] = 0.5 * rest_edges[t].determinant();
+    rest_inverse_[t] = rest_.edges[t].inverse();
+    rest_areas_[t] = 0.5 * rest_.edges[t].determinant();
     for (int a = 0; a < 3; ++a) vertex_areas_[triangles_(t, a)] += rest_areas_[t] / 3.0;
   }
   masses_.resize(vertexCount());
@@ -55,8 +55,8 @@ void Cloth::setRest(const Positions& rest_positions, const std::vector<Mat2>& re
     const auto [x0, x1] = edge.vertex;
     const auto [t0, t1] = edge.triangle;
     hinges_.push_back(makeHinge({x0, x1, edge.opposite[0], edge.opposite[1]},
-                                edgesFrom(rest_edges_[t0], cornerOf(triangles_, t0, x0)),
-                                edgesFrom(rest_edges_[t1], cornerOf(triangles_, t1, x1))));
+                                edgesFrom(rest_.edges[t0], cornerOf(triangles_, t0, x0)),
+                                edgesFrom(rest_.edges[t1], cornerOf(triangles_, t1, x1))));
   }
 }
 

@@ -1,4 +1,4 @@
-// The garment: its mesh, what it is made of, and its rest shape, with all that follows from them.
+// The garment: its mesh, its material and its rest shape, with the quantities computed from them.
 //
 //   D_t   2x2 rest edges of triangle t in the material's plane (rows: warp, weft), m
 //   a_t   rest area, m^2
@@ -12,31 +12,43 @@
 #include "solver/mesh/topology.h"
 #include "solver/model/hinge.h"
 #include "solver/model/material.h"
+#include "solver/model/rest_shape.h"
+#include "solver/model/samples.h"
 
 namespace ease {
 
 class Cloth {
  public:
-  /// The mesh is start shape and first rest shape.  `grain`: warp direction.
+  /// The mesh is both the start shape and the first rest shape.  `grain` is the warp direction.
   Cloth(const TriangleMesh& mesh, const Vec3& grain, const Material& material);
 
-  /// A new rest shape: its mesh in space, and its triangles' flat edges (which carry the grain).
-  void setRest(const Positions& rest_positions, const std::vector<Mat2>& rest_edges);
+  /// Replaces the rest shape and everything computed from it.  The flat edges carry the grain.
+  void setRest(const RestShape& rest);
+  void setRest(const Positions& positions, const std::vector<Mat2>& edges) { setRest(RestShape{positions, edges}); }
+
+  /// Replaces the rest shape, and makes it the one from which growth is counted.
+  void setFirst(const RestShape& first);
+
+  const RestShape& rest() const { return rest_; }
+  /// The rest shape before any growth.
+  const RestShape& first() const { return first_; }
 
   const Triangles& triangles() const { return triangles_; }
   const Topology& topology() const { return topology_; }
   const Material& material() const { return material_; }
-  int vertexCount() const { return static_cast<int>(rest_positions_.rows()); }
+  int vertexCount() const { return static_cast<int>(rest_.positions.rows()); }
   int triangleCount() const { return static_cast<int>(triangles_.rows()); }
+  /// Refers to this cloth, which must outlive it.
+  ContactSamples samples() const { return {vertexCount(), topology_.edges, triangles_}; }
 
-  const Positions& restPositions() const { return rest_positions_; }
-  const std::vector<Mat2>& restEdges() const { return rest_edges_; }
+  const Positions& restPositions() const { return rest_.positions; }
+  const std::vector<Mat2>& restEdges() const { return rest_.edges; }
   const std::vector<Mat2>& restInverse() const { return rest_inverse_; }
   const std::vector<double>& restAreas() const { return rest_areas_; }
   const std::vector<double>& vertexAreas() const { return vertex_areas_; }  // a third of the rest area around, m^2
   const std::vector<double>& masses() const { return masses_; }
   const std::vector<Hinge>& hinges() const { return hinges_; }  // empty without bending
-  int restRevision() const { return rest_revision_; }           // how many rest shapes there have been
+  int restRevision() const { return rest_revision_; }           // number of rest shapes so far
 
   /// Deformation gradient of triangle t.
   Mat32 deformation(const Positions& x, int t) const { return edgeMatrix(x, triangles_, t) * rest_inverse_[t]; }
@@ -46,8 +58,8 @@ class Cloth {
   Topology topology_;
   Material material_;
   double density_;  // kg/m^2
-  Positions rest_positions_;
-  std::vector<Mat2> rest_edges_, rest_inverse_;
+  RestShape first_, rest_;
+  std::vector<Mat2> rest_inverse_;
   std::vector<double> rest_areas_, vertex_areas_, masses_;
   std::vector<Hinge> hinges_;
   int rest_revision_ = 0;

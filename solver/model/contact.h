@@ -1,7 +1,4 @@
-// Contact of the cloth with whatever it may touch, as the solver sees it: planes that samples of the cloth stay above.
-//
-// Samples are the vertices, the midpoints of the edges and the centroids of the triangles, in this order, each where
-// its index in the mesh says: n + e + m of them.  Vertices alone would let edges slip through an arm unseen.
+// Contact of the cloth as the solver sees it: planes above which the samples of the cloth (samples.h) must stay.
 #pragma once
 
 #include <algorithm>
@@ -11,23 +8,24 @@
 
 namespace ease {
 
-/// A sample at x may not go below normal . x = offset (m).  Zero normal and offset -1: nothing near.
+/// A sample at x must satisfy normal . x >= offset (m).  A zero normal with offset -1 means that nothing is near.
 struct ContactPlane {
   Vec3 normal = Vec3::Zero();
   double offset = -1.0;
-  double give = 1e-3;  // depth at which the pressure has trebled, m (contact energy)
-  /// How far x is below, m.
+  double give = 1e-3;  // depth at which the pressure has tripled, m (contact energy)
+  /// Depth of x below the plane, m; 0 above it.
   double depth(const Vec3& x) const { return std::max(0.0, offset - normal.dot(x)); }
 };
 
-/// One plane a sample, in the samples' order, and second planes of the few that lie between two parts of the body.
+/// One plane per sample, in the order of the samples, and a second plane for each of the few samples that lie between
+/// two parts of the body.
 struct Contacts {
   struct Second {
     int sample;
     ContactPlane plane;
   };
   std::vector<ContactPlane> planes;  // empty: no contact
-  std::vector<Second> seconds;       // each sample has a first one too
+  std::vector<Second> seconds;       // `planes` holds the first plane of each of these samples
 };
 
 }  // namespace ease

@@ -6,7 +6,7 @@ namespace ease {
 
 namespace {
 
-// Cotangents of the angles at corners 0 and 1 of a flat triangle with edges D.
+/// Cotangents of the angles at corners 0 and 1 of a flat triangle with edges D.
 std::array<double, 2> cotangents(const Mat2& D) {
   const Eigen::Vector2d e = D.col(0), f = D.col(1);
   const double double_area = std::abs(D.determinant());

@@ -22,10 +22,10 @@ struct Hinge {
 };
 
 /// Stencil from the cotangents of two flat triangles that share an edge: `first` = (x0, x1, x2) and `second` =
-/// (x1, x0, x3), each given by its 2x2 edges D whatever its frame.
+/// (x1, x0, x3), each given by its 2x2 edges D in any frame of its own.
 Hinge makeHinge(const std::array<int, 4>& vertices, const Mat2& first, const Mat2& second);
 
-/// b of a hinge.
+/// Computes b, m.
 Vec3 hingeVector(const Hinge& hinge, const Positions& x);
 
 }  // namespace ease

@@ -1,4 +1,4 @@
-// What the cloth is made of.
+// Material of the cloth: density, stiffnesses and damping.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,8 @@ namespace ease {
 enum class Membrane { woven, isotropic };
 enum class ShearForm { orthogonal, bw98 };
 
-/// Membrane woven after Baraff and Witkin 1998, or isotropic; bending after Bergou 2006.  Zero switches a term off.
+/// Membrane woven after Baraff and Witkin 1998, or isotropic; bending after Bergou 2006.  A stiffness of zero switches
+/// its term off.
 struct Material {
   double density = 0.15;             // kg/m^2 of the first rest shape
   std::optional<double> total_mass;  // kg; instead of density

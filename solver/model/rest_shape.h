@@ -8,8 +8,8 @@
 namespace ease {
 
 struct RestShape {
-  Positions positions;      // in space, m
-  std::vector<Mat2> edges;  // two edges of every triangle laid flat in the material's plane (columns), m
+  Positions positions;      // of the vertices in space, m
+  std::vector<Mat2> edges;  // of each triangle, flat in the material's plane (rows: warp, weft), m
 };
 
 }  // namespace ease

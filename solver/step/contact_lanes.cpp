@@ -6,41 +6,18 @@
 
 namespace ease {
 
-namespace {
-
-double contactArea(const Cloth& cloth, int sample) {
-  // Vertices, edges and triangles share the cloth's area evenly.
-  const int n = cloth.vertexCount(), e = static_cast<int>(cloth.topology().edges.size());
-  if (sample < n) return cloth.vertexAreas()[sample] / 3.0;
-  if (sample >= n + e) return cloth.restAreas()[sample - n - e] / 3.0;
-  double area = 0.0;
-  for (int t : cloth.topology().edges[sample - n].triangle)
-    if (t >= 0) area += cloth.restAreas()[t] / 9.0;
-  return area;
-}
-
-/// Of a corner of the sample's host in the sample: 1; 1/2, 1/2; 1/3, 1/3, 1/3.
-double cornerWeight(const Cloth& cloth, const HostedSample& hosted, int corner) {
-  const int n = cloth.vertexCount(), e = static_cast<int>(cloth.topology().edges.size()), s = hosted.sample;
-  if (s >= n + e) return 1.0 / 3.0;
-  if (s >= n) return cloth.topology().triangle_edges(hosted.triangle, corner) == s - n ? 0.0 : 0.5;
-  return cloth.triangles()(hosted.triangle, corner) == s ? 1.0 : 0.0;
-}
-
-}  // namespace
-
 std::vector<HostedSample> hostedSamples(const Cloth& cloth) {
-  const int n = cloth.vertexCount(), e = static_cast<int>(cloth.topology().edges.size());
+  const ContactSamples samples = cloth.samples();
   std::vector<HostedSample> hosted;
-  std::vector<char> has_host(n, 0);
+  std::vector<char> has_host(cloth.vertexCount(), 0);
   for (int t = 0; t < cloth.triangleCount(); ++t) {
     for (int v : cloth.triangles().row(t)) {
       if (!has_host[v]) hosted.push_back({v, t});
       has_host[v] = 1;
     }
     for (int edge : cloth.topology().triangle_edges.row(t))
-      if (cloth.topology().edges[edge].triangle[0] == t) hosted.push_back({n + edge, t});
-    hosted.push_back({n + e + t, t});
+      if (cloth.topology().edges[edge].triangle[0] == t) hosted.push_back({samples.midpoint(edge), t});
+    hosted.push_back({samples.centroid(t), t});
   }
   return hosted;
 }
@@ -52,20 +29,22 @@ ContactLanes::ContactLanes(int block_of_triangles) : block(block_of_triangles) {
 }
 
 void ContactLanes::set(int lane, const Cloth& cloth, const HostedSample& hosted, const ContactPlane& plane) {
+  const ContactSamples samples = cloth.samples();
   sample[lane] = hosted.sample;
-  for (int k = 0; k < 2; ++k) weight[k][lane] = cornerWeight(cloth, hosted, k + 1);
+  for (int k = 0; k < 2; ++k)
+    weight[k][lane] = samples.weight(hosted.sample, cloth.triangles()(hosted.triangle, k + 1));
   normal.x[lane] = plane.normal[0];
   normal.y[lane] = plane.normal[1];
   normal.z[lane] = plane.normal[2];
   offset[lane] = plane.offset;
   give[lane] = plane.give;
-  area[lane] = contactArea(cloth, hosted.sample);
+  area[lane] = samples.area(hosted.sample, cloth.vertexAreas(), cloth.restAreas());
 }
 
 ContactLayout::ContactLayout(const Cloth& cloth, int group)
     : cloth_(cloth),
       samples_(hostedSamples(cloth)),
-      place_(cloth.vertexCount() + cloth.topology().edges.size() + cloth.triangleCount(), -1),
+      place_(cloth.samples().count(), -1),
       groups_((cloth.triangleCount() + group - 1) / group) {
   for (size_t k = 0; k < samples_.size(); ++k) place_[samples_[k].sample] = static_cast<int>(k);
   for (int g = 0; g <= groupCount(); ++g) {

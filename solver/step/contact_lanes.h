@@ -19,7 +19,7 @@ struct HostedSample {
   int sample, triangle;
 };
 
-/// All samples of a cloth (contact.h) in the order of their hosts.  Vertices without a triangle have none: they stand
+/// All samples of a cloth (samples.h) in the order of their hosts.  Vertices without a triangle have none: they stand
 /// for no area.
 std::vector<HostedSample> hostedSamples(const Cloth& cloth);
 

@@ -11,7 +11,8 @@ constexpr int kGrain = 512;
 }  // namespace
 
 void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMatrix& hessian) {
-  const int n = cloth_.vertexCount(), edge_count = static_cast<int>(cloth_.topology().edges.size());
+  const int n = cloth_.vertexCount();
+  const ContactSamples samples = cloth_.samples();
   parallelFor(cloth_.triangleCount(), kGrain, [&](int t) {
     const Mat32 F = cloth_.deformation(x, t);
     const TriangleSprings s = springs(t);
@@ -49,10 +50,6 @@ void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMa
     return b(p, 0) * b(q, 0) * h.uu + b(p, 0) * b(q, 1) * h.uv + b(p, 1) * b(q, 0) * h.uv.transpose() +
            b(p, 1) * b(q, 1) * h.vv;
   };
-  const auto cornerOf = [&](int t, int vertex) {
-    const auto corners = cloth_.triangles().row(t);
-    return corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
-  };
 
   const double inverse_h2 = 1.0 / (options_.h * options_.h);
   parallelFor(n, kGrain, [&](int i) {
@@ -61,18 +58,19 @@ void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMa
       if (const int edge = hessian.edge(k); edge >= 0) {
         for (int t : cloth_.topology().edges[edge].triangle)
           if (t >= 0) {
-            block += triangleBlock(t, cornerOf(t, i), cornerOf(t, hessian.column(k)));
-            addContact(n + edge_count + t, 1.0 / 9.0, block);
+            block += triangleBlock(t, cornerOf(cloth_.triangles(), t, i),
+                                   cornerOf(cloth_.triangles(), t, hessian.column(k)));
+            addContact(samples.centroid(t), 1.0 / 9.0, block);
           }
-        addContact(n + edge, 1.0 / 4.0, block);
+        addContact(samples.midpoint(edge), 1.0 / 4.0, block);
       } else {
         block = inverse_h2 * cloth_.masses()[i] * Mat3::Identity();
         addContact(i, 1.0, block);
         for (int c : triangle_corners_.of(i)) {
           block += triangleBlock(c / 3, c % 3, c % 3);
-          addContact(n + edge_count + c / 3, 1.0 / 9.0, block);
+          addContact(samples.centroid(c / 3), 1.0 / 9.0, block);
         }
-        for (int c : edge_ends_.of(i)) addContact(n + c / 2, 1.0 / 4.0, block);
+        for (int c : edge_ends_.of(i)) addContact(samples.midpoint(c / 2), 1.0 / 4.0, block);
       }
       hessian.block(k) = block;
     }

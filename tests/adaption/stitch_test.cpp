@@ -33,7 +33,7 @@ TEST_CASE("the polar factor in closed form is that of the singular value decompo
   }
 }
 
-TEST_CASE("nothing grown, nothing changed") {
+TEST_CASE("without growth the rest shape does not change") {
   const TriangleMesh mesh = makeTube(24, 10, 0.1, 0.3);
   Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
   Stitcher stitcher(cloth, systemOrdering(cloth.vertexCount(), cloth.triangles()));
@@ -76,7 +76,7 @@ TEST_CASE("where one patch grows, cloth far from it stays as it was") {
   }
 }
 
-TEST_CASE("neighbours that grow by as different amounts as they may leave a rest shape without folds") {
+TEST_CASE("adjacent triangles may grow by amounts as different as adaption allows without folding the rest shape") {
   // Each triangle by 2 % at a time, along a direction of its own or not at all, until some have doubled.
   const TriangleMesh mesh = makeSheet(12, 12, 0.3, 0.3, 0.2);
   Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
@@ -94,7 +94,7 @@ TEST_CASE("neighbours that grow by as different amounts as they may leave a rest
 
 TEST_CASE(
     "a stitch that folds is counted; it has triangles of positive area, and cloth with that rest shape stays finite") {
-  const double most = GENERATE(10.0, 30.0);  // times, at once
+  const double most = GENERATE(10.0, 30.0);  // growth in a single step
   const TriangleMesh mesh = makeSheet(12, 12, 0.3, 0.3, 0.3);
   Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
   Stitcher stitcher(cloth, systemOrdering(cloth.vertexCount(), cloth.triangles()));

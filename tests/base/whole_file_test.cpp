@@ -21,7 +21,7 @@ std::string contents(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("a whole file holds every byte written, and no other of what was there before") {
+TEST_CASE("a file holds exactly the bytes written, and none of its earlier ones") {
   const ease::TemporaryDirectory directory;
   const fs::path file = directory.path / "frame.vtp";
   const std::string bytes("a\0b\r\n\xff", 6);
@@ -32,11 +32,11 @@ TEST_CASE("a whole file holds every byte written, and no other of what was there
   CHECK(std::distance(fs::directory_iterator(directory.path), {}) == 1);
 }
 
-TEST_CASE("the temporary name is the file's own and another, in the same folder") {
+TEST_CASE("the temporary name differs from the file's and lies in the same folder") {
   CHECK(ease::temporaryName("out/garment.pvd") == fs::path("out/garment.pvd.part"));
 }
 
-TEST_CASE("what an interrupted run left under the temporary name is no hindrance") {
+TEST_CASE("a temporary file left by an interrupted run is replaced") {
   const ease::TemporaryDirectory directory;
   const fs::path file = directory.path / "frame.vtp";
   std::ofstream(ease::temporaryName(file)) << "cut short, and longer than what follows";

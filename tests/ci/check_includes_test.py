@@ -50,7 +50,7 @@ class CheckIncludes(unittest.TestCase):
         self.refused(
             {"collision/bodies.h": '#  include <solver/model/cloth.h>\n'},
             'collision/bodies.h:1: collision may not include "solver/model/cloth.h" '
-            "(it may: solver/base, solver/mesh, solver/linear, solver/model/contact.h, collision/body)",
+            "(it may: solver/base, solver/mesh, solver/linear, solver/model/contact.h, solver/model/samples.h, collision/body)",
         )
 
     def test_siblings_never_see_each_other(self):

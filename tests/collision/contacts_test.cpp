@@ -44,17 +44,6 @@ constexpr double kMostRecovery = 0.01;  // m
 
 }  // namespace
 
-TEST_CASE("samples are vertices, edge midpoints and centroids") {
-  const TriangleMesh sheet = makeSheet(2, 1, 0.2, 0.1);
-  const Topology topology = buildTopology(sheet, "sheet");
-  std::vector<Vec3> samples;
-  sampleCloth(sheet.positions, sheet.triangles, topology.edges, samples);
-  REQUIRE(samples.size() == sheet.positions.rows() + topology.edges.size() + sheet.triangles.rows());
-  const auto [i, j] = topology.edges[2].vertex;
-  CHECK((samples[sheet.positions.rows() + 2] - 0.5 * (sheet.positions.row(i) + sheet.positions.row(j)).transpose())
-            .norm() < 1e-15);
-}
-
 TEST_CASE("a plane stands the offset away from the body, and there is none far from it") {
   Body body(makeSlabs(0.1));
   const std::vector<Vec3> points{{-0.047, 0.01, 0.02}, {-0.052, 0.03, 0.0}, {0.0, 0.0, 0.0}};

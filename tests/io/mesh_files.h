@@ -1,5 +1,5 @@
-// What the tests of mesh files share: a square that every format can hold, a folder for files, what readers complain
-// of.
+// Helpers of the mesh file tests: a square that every format can hold, a folder for files, the message of a refused
+// file.
 #pragma once
 
 #include <unistd.h>
@@ -35,7 +35,7 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// Why the file is refused: one line that begins with its name.
+/// Message of the InputError with which the file is refused: one line that begins with its name.
 inline std::string messageOf(const std::filesystem::path& file) {
   try {
     readMesh(file);

@@ -29,7 +29,7 @@ std::string compressed(const std::string& header) {
          header + "</DataArray></Piece></PolyData></VTKFile>";
 }
 
-/// The same as they are in memory, in the appended part of the file.
+/// A compressed array's three first words as raw bytes in the appended part of the file.
 template <class Word>
 std::string appended(Word blocks, Word block, Word last, bool big) {
   std::string bytes = std::string("<VTKFile compressor=\"vtkZLibDataCompressor\" header_type=\"") +

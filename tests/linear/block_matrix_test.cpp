@@ -8,7 +8,7 @@ using namespace ease;
 
 namespace {
 
-// A symmetric matrix on a sheet's pattern with values that differ everywhere.
+/// A symmetric matrix on a sheet's pattern, all of whose values differ.
 BlockMatrix someMatrix(const TriangleMesh& sheet) {
   const Topology topology = buildTopology(sheet, "sheet");
   BlockMatrix matrix(static_cast<int>(sheet.positions.rows()), topology.edges);

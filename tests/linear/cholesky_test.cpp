@@ -9,7 +9,7 @@ using namespace ease;
 
 namespace {
 
-// Laplacian of a sheet's graph plus `shift` on the diagonal, lower triangle.
+/// Laplacian of a sheet's graph plus `shift` on the diagonal, lower triangle.
 SparseMatrix graphLaplacian(double shift) {
   const TriangleMesh sheet = makeSheet(12, 9, 1.0, 1.0);
   SparseMatrix lower = vertexPattern(static_cast<int>(sheet.positions.rows()), sheet.triangles);

@@ -83,7 +83,7 @@ TEST_CASE("with targets that no mesh can have, no nearby positions do better") {
   }
 }
 
-TEST_CASE("a part without anything to hold it is not positive definite") {
+TEST_CASE("the matrix of a connected part without a diagonal term is not positive definite") {
   const Flat flat;
   GradientSystem system(flat.vertices(), flat.mesh.triangles);
   std::vector<double> diagonal(flat.vertices(), 0.0);

@@ -12,7 +12,7 @@ using namespace ease;
 
 namespace {
 
-// Graph Laplacian of a sheet, shifted by its own diagonal's tenth, lower triangle.
+/// Lower triangle of a sheet's graph Laplacian, shifted by a tenth of its diagonal.
 SparseMatrix shiftedLaplacian(int side) {
   const TriangleMesh sheet = makeSheet(side, side, 1.0, 1.0);
   SparseMatrix lower = vertexPattern(static_cast<int>(sheet.positions.rows()), sheet.triangles);
@@ -35,7 +35,7 @@ Panels panelsOf(const SparseMatrix& lower) {
 }  // namespace
 
 TEST_CASE("panels solve their system to single precision, for one right-hand side and for three") {
-  for (const int side : {1, 5, 60}) {  // 60: large enough for subtrees side by side
+  for (const int side : {1, 5, 60}) {  // 60: large enough for parallel subtrees
     const SparseMatrix lower = shiftedLaplacian(side);
     const int n = static_cast<int>(lower.cols());
     Panels panels = panelsOf(lower);

@@ -18,7 +18,7 @@ namespace {
 const TriangleMesh kSquare{(Positions(4, 3) << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0).finished(),
                            (Triangles(2, 3) << 0, 1, 2, 0, 2, 3).finished()};
 
-/// The same mesh with vertex i numbered number[i].
+/// The mesh with vertex i renumbered to number[i].
 TriangleMesh renumbered(const TriangleMesh& mesh, const std::vector<int>& number) {
   TriangleMesh result = mesh;
   for (int i = 0; i < mesh.positions.rows(); ++i) result.positions.row(number[i]) = mesh.positions.row(i);
@@ -91,7 +91,7 @@ TEST_CASE("poses with other counts are refused with both counts") {
   CHECK_THROWS_WITH(matchByTriangles(kSquare, "t.ply", fewer, "a.ply"), "a.ply: has 1 triangles, but t.ply has 2");
 }
 
-TEST_CASE("the first triangle that differs is named, with the remedy only where it would do") {
+TEST_CASE("the first triangle that differs is named; the remedy only where it would help") {
   const TriangleMesh turned = withTriangle(kSquare, 1, {2, 3, 0});
   CHECK_NOTHROW(checkSameTriangles(kSquare, "t.ply", turned, "a.ply"));
 

@@ -34,14 +34,14 @@ double meanReach(const TriangleMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("numbered along the curve, neighbours are near each other in memory") {
+TEST_CASE("the numbering along the curve puts neighbours near each other in memory") {
   const TriangleMesh mesh = shuffledSheet();
   const TriangleMesh near = renumbered(mesh, spatialNumbering(mesh));
   CHECK(meanReach(mesh) > 100.0);
   CHECK(meanReach(near) < 30.0);
 }
 
-TEST_CASE("a renumbered mesh is the same mesh, and is restored to the last bit") {
+TEST_CASE("a renumbered mesh has the same shape, and is restored to the last bit") {
   const TriangleMesh mesh = shuffledSheet();
   const Numbering numbering = spatialNumbering(mesh);
   const TriangleMesh ordered = renumbered(mesh, numbering);

@@ -93,6 +93,36 @@ TEST_CASE("a loop runs along the boundary and the longest comes first") {
   }
 }
 
+TEST_CASE("the neighbours of a vertex are the other ends of its edges, ascending, each once") {
+  const Topology topology = buildTopology(kTetrahedron, "tetrahedron");
+  const std::vector<std::vector<int>> neighbours = vertexNeighbours(topology, 5);  // vertex 4 has no triangle
+  CHECK(neighbours == std::vector<std::vector<int>>{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}, {}});
+}
+
+TEST_CASE("across an edge lies its other triangle, across the boundary none") {
+  const TriangleMesh mesh = tube(7, 4, 1.0);
+  const Topology topology = buildTopology(mesh, "tube");
+  int inner = 0;
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Edge& edge = topology.edges[topology.triangle_edges(t, k)];
+      const int other = edge.triangleAcross(t);
+      CHECK(cornerOf(mesh.triangles, t, mesh.triangles(t, k)) == k);
+      CHECK((other < 0) == edge.isBoundary());
+      if (other < 0) continue;
+      ++inner;
+      CHECK(other != t);
+      for (const int v : edge.vertex) CHECK(mesh.triangles(other, cornerOf(mesh.triangles, other, v)) == v);
+    }
+  CHECK(inner == 2 * static_cast<int>(topology.edges.size() - 14));
+}
+
+TEST_CASE("mean edge length and total area are those of a right-angled triangle") {
+  const TriangleMesh triangle = meshOf({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
+  CHECK(meanEdgeLength(buildTopology(triangle, "t"), triangle.positions) == Approx(4.0));
+  CHECK(totalArea(triangle) == Approx(6.0));
+}
+
 TEST_CASE("an edge with three triangles is refused, with its vertices and triangles") {
   const TriangleMesh fin =
       meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});

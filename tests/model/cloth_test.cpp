@@ -38,11 +38,27 @@ TEST_CASE("a larger rest shape is heavier, and makes the same shape in space les
   const TriangleMesh mesh = makeSheet(5, 4, 0.5, 0.4);
   Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
   const double mass = sum(cloth.masses());
-  std::vector<Mat2> edges = cloth.restEdges();
-  for (Mat2& e : edges) e *= 1.25;
-  cloth.setRest(1.25 * mesh.positions, edges);
+  const RestShape first = cloth.rest();
+  RestShape larger{1.25 * mesh.positions, first.edges};
+  for (Mat2& e : larger.edges) e *= 1.25;
+  cloth.setRest(larger);
+  CHECK(cloth.rest().edges == larger.edges);
+  CHECK(cloth.first().edges == first.edges);
+  CHECK(cloth.first().positions == mesh.positions);
   CHECK(sum(cloth.masses()) == Approx(1.25 * 1.25 * mass));
   CHECK(cloth.deformation(mesh.positions, 7).col(0).norm() == Approx(0.8));
+}
+
+TEST_CASE("a new first rest shape is the present one too, and counts as a change") {
+  const TriangleMesh mesh = makeSheet(3, 2, 0.3, 0.2);
+  Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());
+  const int revision = cloth.restRevision();
+  RestShape first{1.5 * mesh.positions, cloth.rest().edges};
+  for (Mat2& e : first.edges) e *= 1.5;
+  cloth.setFirst(first);
+  CHECK(cloth.first().edges == first.edges);
+  CHECK(cloth.rest().positions == first.positions);
+  CHECK(cloth.restRevision() > revision);
 }
 
 TEST_CASE("hinges exist where two triangles meet, and only if the cloth bends") {

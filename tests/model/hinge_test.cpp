@@ -7,7 +7,7 @@ using namespace ease;
 
 namespace {
 
-/// Two triangles in the plane that share the edge from x0 to x1: no two sides alike.
+/// Two triangles in the plane that share the edge from x0 to x1: all sides differ in length.
 const Positions kFlat =
     (Positions(4, 3) << 0.0, 0.0, 0.0, 0.2, 0.03, 0.0, 0.07, 0.11, 0.0, 0.12, -0.05, 0.0).finished();
 const std::array<int, 4> kVertices = {0, 1, 2, 3};
@@ -35,7 +35,7 @@ TEST_CASE("a hinge folded by an angle has a vector of twice its edge's length ti
   }
 }
 
-TEST_CASE("a hinge does not see how its plane lies in space, nor how it is stretched there") {
+TEST_CASE("a hinge that stays flat has no vector, however its plane is turned or stretched") {
   const Hinge hinge = flatHinge();
   CHECK(std::abs(std::accumulate(hinge.stencil.begin(), hinge.stencil.end(), 0.0)) < 1e-14);
   Mat3 map;
@@ -45,7 +45,7 @@ TEST_CASE("a hinge does not see how its plane lies in space, nor how it is stret
   CHECK(hingeVector(hinge, moved).norm() < 1e-15);
 }
 
-TEST_CASE("a hinge is the same whatever the frames of its triangles' edges, turned or mirrored") {
+TEST_CASE("a hinge does not depend on the frames of its triangles' edges, turned or mirrored") {
   const Mat2 first = edges(kFlat, 0, 1, 2), second = edges(kFlat, 1, 0, 3);
   const Mat2 turn = Eigen::Rotation2Dd(0.8).toRotationMatrix();
   Mat2 mirror = turn;
