@@ -135,7 +135,7 @@ class Run {
     checkpoint.pins = pins_.anchors();
     options_.keep(std::move(checkpoint));
     step_.forget();
-    contacts_.forget();
+    contacts_.discardHistory();
   }
 
   void advance(const Moment& moment) {
