@@ -10,7 +10,7 @@
 namespace ease {
 namespace {
 
-/// Disjoint sets of 0 to n - 1; the least of a set stands for it.
+/// Disjoint sets of the numbers 0 to n - 1; the smallest number of a set represents it.
 class Sets {
  public:
   explicit Sets(int n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -53,7 +53,7 @@ Pieces cutIntoPieces(const TriangleMesh& garment, const std::vector<Seam>& seams
   const Topology topology = buildTopology(garment, "garment");
   const std::set<std::array<int, 2>> seam_edges = edgesOf(seams);
   const int triangles = static_cast<int>(garment.triangles.rows());
-  // Corners of triangles that stay together, across edges that are no seam, are one vertex.
+  // Corners that meet across an edge without a seam become one vertex.
   Sets corners(3 * triangles), parts(triangles);
   for (const Edge& edge : topology.edges) {
     if (edge.isBoundary() || seam_edges.contains(edge.vertex)) continue;
