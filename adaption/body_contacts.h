@@ -48,7 +48,7 @@ class BodyContacts {
   void deepen(Penetration& penetration) const;
 
   /// Makes what follows independent of earlier calls.
-  void forget() { finder_.forget(); }
+  void forget() { finder_.discardHistory(); }
 
   /// Writes what the body has cost since the start, and what had to be rescued.
   void recordUse(PassRecord& record) const;

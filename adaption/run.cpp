@@ -153,10 +153,7 @@ Snapshot Run::snapshot(const Moment& moment) {
 }
 
 RunState Run::stateToGoOn(const Moment& moment) const {
-  return {moment.done,
-          state_,
-          cloth_.rest(),
-          adaption_ ? adaption_->wantedEdges() : std::vector<Mat2>(),
+  return {moment.done, state_, cloth_.rest(), adaption_ ? adaption_->wantedEdges() : std::vector<Mat2>(),
           pins_.anchors()};
 }
 

@@ -35,10 +35,10 @@ struct ShownReplay {
 };
 
 /// Growth of every triangle's cloth from its first rest shape: sigma_1 of the map from the first to the present one.
-void measureGrowth(const RestShape& first, const std::vector<double>& first_areas, const Cloth& cloth, Report& report) {
+void measureGrowth(const std::vector<double>& first_areas, const Cloth& cloth, Report& report) {
   std::vector<double> growth(cloth.triangleCount());
   for (int t = 0; t < cloth.triangleCount(); ++t) {
-    const Mat2 map = cloth.restEdges()[t] * first.edges[t].inverse();
+    const Mat2 map = cloth.restEdges()[t] * cloth.first().edges[t].inverse();
     growth[t] = principalStretch(map.transpose() * map).sigma_1;
   }
   const auto sum = [](const std::vector<double>& areas) { return std::accumulate(areas.begin(), areas.end(), 0.0); };
@@ -101,10 +101,9 @@ class Job {
   void setUp() {
     cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
     if (resume_from_)
-      cloth_->setRest(resume_from_->first_rest.positions, resume_from_->first_rest.edges);
+      cloth_->setFirst(resume_from_->first_rest);
     else if (!input_.paint.empty())
-      stitcher().rescale(*cloth_, input_.paint);
-    first_rest_ = {cloth_->restPositions(), cloth_->restEdges()};
+      paintFirstRest();
     first_areas_ = cloth_->restAreas();
     if (scene_.body) body_.emplace(movingBody(scene_, input_));
     report_.vertices = cloth_->vertexCount();
@@ -118,21 +117,24 @@ class Job {
     progress_.emplace(static_cast<long>(momentsLeft().size()) + (verifies() ? 2 * replay_steps : 0));
   }
 
-  /// For the cloth's present rest shape.
   Stitcher stitcher() const { return Stitcher(*cloth_, systemOrdering(cloth_->vertexCount(), cloth_->triangles())); }
+
+  void paintFirstRest() {
+    stitcher().rescale(*cloth_, input_.paint);
+    cloth_->setFirst(RestShape(cloth_->rest()));
+  }
 
   /// The state to go on from, with what the scene paints beside what the earlier run had painted.
   RunState resumedState() {
     RunState state = resume_from_->run;
     const std::vector<double> more = paintBetween(resume_from_->paint, input_.paint);
     if (more.empty()) return state;
-    Stitcher stitcher = this->stitcher();  // of the first rest shape
-    cloth_->setRest(state.rest.positions, state.rest.edges);
+    Stitcher stitcher = this->stitcher();
+    cloth_->setRest(state.rest);
     stitcher.restore(state.wanted_edges.empty() ? state.rest.edges : state.wanted_edges);
     stitcher.rescale(*cloth_, more);
-    state.rest = {cloth_->restPositions(), cloth_->restEdges()};
+    state.rest = cloth_->rest();
     state.wanted_edges = stitcher.wanted();
-    cloth_->setRest(first_rest_.positions, first_rest_.edges);
     return state;
   }
 
@@ -185,13 +187,13 @@ class Job {
             scene_.body ? scene_.body->steps : 0,
             resume_from_ ? resume_from_->start : StartGarment{given_.garment, scene_.collision.offset},
             numbering_.garment,
-            first_rest_,
+            cloth_->first(),
             input_.paint};
   }
 
   void writeRestShape() {
-    measureGrowth(first_rest_, first_areas_, *cloth_, report_);
-    report_.folded_edges = foldedEdges(*cloth_, first_rest_.positions);
+    measureGrowth(first_areas_, *cloth_, report_);
+    report_.folded_edges = foldedEdges(*cloth_, cloth_->first().positions);
     const Frame rest = restored(restFrame(*cloth_, first_areas_), numbering_.garment);
     writeObj(directory_ / "rest_shape.obj", {rest.positions, given_.garment.triangles});
     writeVtp(directory_ / "rest_shape.vtp", given_.garment.triangles, rest);
@@ -200,15 +202,15 @@ class Job {
   }
 
   void replays() {
-    const RestShape adapted{cloth_->restPositions(), cloth_->restEdges()};
-    replay(first_rest_, "replaying the first rest shape", report_.before, before_);
+    const RestShape adapted = cloth_->rest();
+    replay(cloth_->first(), "replaying the first rest shape", report_.before, before_);
     replay(adapted, "replaying the adapted rest shape", report_.after, after_);
     report_.verified = !interrupted_;
   }
 
   void replay(const RestShape& rest, const char* activity, PassRecord& record, ShownReplay& shown) {
     if (interrupted_) return;
-    cloth_->setRest(rest.positions, rest.edges);
+    cloth_->setRest(rest);
     const RunInput run_input = runInput(scene_, input_, body());
     Run run(runSettings(scene_, replaySchedule(scene_)), run_input, *cloth_);
     run.run(watch(activity));
@@ -260,7 +262,6 @@ class Job {
 
   std::optional<Cloth> cloth_;
   std::optional<MovingBody> body_;
-  RestShape first_rest_;
   std::vector<double> first_areas_;  // of the first rest shape's triangles, m^2
   Positions end_;                    // of the garment after the run, m
   ShownReplay before_, after_;

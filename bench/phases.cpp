@@ -190,7 +190,9 @@ void measureLevelSet(benchmark::State& state, int vertices) {
   const int rings = static_cast<int>(std::lround(std::sqrt(vertices / (4.0 * rows_per_ring))));
   const TriangleMesh sleeve = bodies::capsule(half_length, radius + 0.005, rings);
   std::vector<Vec3> samples;
-  sampleCloth(sleeve.positions, sleeve.triangles, buildTopology(sleeve, "sleeve").edges, samples);
+  const Topology topology = buildTopology(sleeve, "sleeve");
+  ContactSamples(static_cast<int>(sleeve.positions.rows()), topology.edges, sleeve.triangles)
+      .positions(sleeve.positions, samples);
   LevelSet level_set({.voxel = voxel, .band = 0.03});
   for (auto _ : state) level_set.build(tree, samples, 0.3 * voxel);
   state.counters["samples"] = static_cast<double>(samples.size());

@@ -2,12 +2,14 @@
 
 #include <limits>
 
+#include "collision/triangle_tree.h"
 #include "solver/mesh/triangle_gradient.h"
 
 namespace ease {
 
 namespace {
 
+/// Columns: the two edges from corner a, and the unit normal.
 Mat3 triangleBasis(const Vec3& a, const Vec3& b, const Vec3& c) {
   Mat3 basis;
   basis << b - a, c - a, (b - a).cross(c - a).normalized();
@@ -32,12 +34,9 @@ std::vector<BodyTie> tieToBody(const std::vector<int>& vertices, const Positions
 }
 
 Vec3 placeOf(const BodyTie& tie, const BodyMoment& body) {
-  const auto vertex = [&](int v) -> Vec3 {
-    return (1.0 - body.tau) * body.at->row(v) + body.tau * body.towards->row(v);
-  };
   const auto corners = body.triangles->row(tie.triangle);
-  const Vec3 a = vertex(corners[0]);
-  return a + triangleBasis(a, vertex(corners[1]), vertex(corners[2])) * tie.local;
+  const Vec3 a = body.position(corners[0]);
+  return a + triangleBasis(a, body.position(corners[1]), body.position(corners[2])) * tie.local;
 }
 
 }  // namespace ease

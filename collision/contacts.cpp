@@ -12,48 +12,40 @@ namespace ease {
 namespace {
 
 constexpr int kGrain = 2048;
-constexpr double kReach = 1e-3;           // m beyond the offset: planes that a correction of the step may yet meet
-constexpr double kGive = 0.4;             // of the room there is: how far the cloth may easily sink in
-constexpr double kLeastGive = 2e-4;       // m
-constexpr double kExactBelow = 2e-3;      // m
-constexpr double kFarthest = 0.1;         // m: nothing of the cloth is deeper in the body
-constexpr double kStill = 1e-4;           // m: an error in the motion of the body too small for a second look
-constexpr double kRidgeTolerance = 2e-4;  // m: error of the level set's interpolation, not to be taken for a ridge
-
-// Motion of the body's triangle from the pose of the level set towards the other, m.
-Vec3 motionOf(const BodyMoment& body, int triangle) {
-  Vec3 motion = Vec3::Zero();
-  for (int a = 0; a < 3; ++a) {
-    const int v = (*body.triangles)(triangle, a);
-    motion += (body.towards->row(v) - body.at->row(v)).transpose();
-  }
-  return motion / 3.0;
-}
+constexpr double kReach = 1e-3;           // m beyond the offset: corrections within a step may still meet these planes
+constexpr double kGive = 0.4;             // depth to which contact is soft, as a share of the room that there is
+constexpr double kMinGive = 2e-4;         // m: smallest such depth
+constexpr double kExactBelow = 2e-3;      // m: smaller distances are computed from the triangles, not the level set
+constexpr double kMaxDistance = 0.1;      // m: limit of that search; no cloth is deeper in the body
+constexpr double kStill = 1e-4;           // m: smaller errors in the body's motion need no second lookup
+constexpr double kRidgeTolerance = 2e-4;  // m: interpolation error of the level set, not to be taken for a ridge
+constexpr double kMinShortfall = 0.1;  // of the way out: a smaller shortfall at its end is no second part of the body
 
 }  // namespace
 
 void ContactFinder::lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near) {
   const int count = static_cast<int>(samples.size());
   if (found_.size() != samples.size()) found_.assign(count, {0.0, Vec3::Zero(), -1});
-  // Where the surface near a sample came from: by the motion of the triangle that was nearest to it the last time.
+  // Carry each sample back to the pose of the level set, by the motion of the triangle that was nearest to it last
+  // time.
   points_.resize(count);
   carried_.resize(count);
   carried_from_.resize(count);
   parallelFor(count, kGrain, [&](int s) {
     points_[s] = carried_[s] = samples[s];
     carried_from_[s] = found_[s].triangle;
-    if (body.tau > 0.0 && found_[s].triangle >= 0) carried_[s] -= body.tau * motionOf(body, found_[s].triangle);
+    if (body.tau > 0.0 && found_[s].triangle >= 0) carried_[s] -= body.tau * body.motionOfTriangle(found_[s].triangle);
   });
   body.level_set->sample(carried_, found_);
   if (body.tau == 0.0) return;
 
-  // Again where that is not how the surface near it moves.
+  // Repeat the lookup where another triangle turned out to be nearest and moves differently.
   lookAhead(body, [&](int s, Vec3& point) {
     const int triangle = found_[s].triangle;
     if (triangle < 0 || triangle == carried_from_[s]) return false;
-    point = points_[s] - body.tau * motionOf(body, triangle);
-    const double off = (point - carried_[s]).norm();
-    return off >= kStill && found_[s].phi <= near + off;
+    point = points_[s] - body.tau * body.motionOfTriangle(triangle);
+    const double error = (point - carried_[s]).norm();
+    return error >= kStill && found_[s].phi <= near + error;
   });
   for (size_t c = 0; c < chosen_.size(); ++c) found_[chosen_[c]] = ahead_[c];
 }
@@ -81,8 +73,8 @@ void ContactFinder::distances(const BodyMoment& body, std::span<const Vec3> samp
     const LevelSetSample& found = found_[s];
     distances[s] = found.phi;
     if (found.phi > kExactBelow) return;
-    const Vec3 motion = found.triangle < 0 ? Vec3(Vec3::Zero()) : motionOf(body, found.triangle);
-    distances[s] = body.tree->signedDistance(points_[s] - body.tau * motion, kFarthest);
+    const Vec3 motion = found.triangle < 0 ? Vec3(Vec3::Zero()) : body.motionOfTriangle(found.triangle);
+    distances[s] = body.tree->signedDistance(points_[s] - body.tau * motion, kMaxDistance);
   });
 }
 
@@ -100,23 +92,23 @@ void Penetration::deepen(const std::vector<double>& sample_distances, int vertex
 }
 
 void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, std::span<const double> offsets,
-                         double most_recovery, Contacts& contacts) {
+                         double max_recovery, Contacts& contacts) {
   lookUp(body, samples, *std::max_element(offsets.begin(), offsets.end()) + kReach);
   contacts.planes.resize(samples.size());
   parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
-    const LevelSetSample& here = found_[s];
+    const LevelSetSample& nearest = found_[s];
     ContactPlane& plane = contacts.planes[s];
     plane = {};
-    if (here.triangle < 0 || here.phi > offsets[s] + kReach) return;
-    plane.normal = here.normal;
-    plane.offset = here.normal.dot(points_[s]) + offsets[s] - here.phi;
-    plane.give = std::max(kLeastGive, kGive * offsets[s]);
+    if (nearest.triangle < 0 || nearest.phi > offsets[s] + kReach) return;
+    plane.normal = nearest.normal;
+    plane.offset = nearest.normal.dot(points_[s]) + offsets[s] - nearest.phi;
+    plane.give = std::max(kMinGive, kGive * offsets[s]);
   });
   makeRoom(body, offsets, contacts);
-  // No plane asks for more in one step than this: cloth that got too deep is moved out, not shot out.
+  // Limit how far a step moves a sample out, so that cloth deep in the body is not thrown out.
   std::atomic<long> limited = 0;
   const auto limit = [&](int s, ContactPlane& plane) {
-    const double excess = plane.depth(samples[s]) - most_recovery;
+    const double excess = plane.depth(samples[s]) - max_recovery;
     if (excess <= 0.0) return;
     plane.offset -= excess;
     ++limited;
@@ -127,33 +119,34 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
 }
 
 void ContactFinder::makeRoom(const BodyMoment& body, std::span<const double> offsets, Contacts& contacts) {
-  // Samples that must move out by d = offset - phi: would they get there, or meet another part of the body?
+  // Look ahead from each sample that must move out by d = offset - phi: is the end of that way clear of other parts?
   lookAhead(body, [&](int s, Vec3& point) {
-    const LevelSetSample& here = found_[s];
-    if (here.triangle < 0 || here.phi > offsets[s] - kRidgeTolerance) return false;
-    point = points_[s] - body.tau * motionOf(body, here.triangle) + (offsets[s] - here.phi) * here.normal;
+    const LevelSetSample& nearest = found_[s];
+    if (nearest.triangle < 0 || nearest.phi > offsets[s] - kRidgeTolerance) return false;
+    point =
+        points_[s] - body.tau * body.motionOfTriangle(nearest.triangle) + (offsets[s] - nearest.phi) * nearest.normal;
     return true;
   });
   contacts.seconds.clear();
   for (size_t c = 0; c < chosen_.size(); ++c) {
     const int s = chosen_[c];
-    const LevelSetSample &here = found_[s], &there = ahead_[c];
-    const double offset = offsets[s], d = offset - here.phi;
-    if (there.triangle < 0 || there.phi > offset - kRidgeTolerance - 0.1 * d) continue;
-    // How far the sample is from the other part now, which moves in its own way.
-    const double along = here.normal.dot(there.normal);
-    const Vec3 apart = body.tau * (motionOf(body, here.triangle) - motionOf(body, there.triangle));
-    const double other = there.phi - d * along + there.normal.dot(apart);
-    // The room for both planes: half of what there is between the parts, and what there is more of it an offset
-    // further out, between the two.
+    const LevelSetSample &nearest = found_[s], &ahead = ahead_[c];
+    const double offset = offsets[s], d = offset - nearest.phi;
+    if (ahead.triangle < 0 || ahead.phi > offset - kRidgeTolerance - kMinShortfall * d) continue;
+    // Distance of the sample, where it is now, from the other part, which has a motion of its own.
+    const double along = nearest.normal.dot(ahead.normal);
+    const Vec3 apart = body.tau * (body.motionOfTriangle(nearest.triangle) - body.motionOfTriangle(ahead.triangle));
+    const double other = ahead.phi - d * along + ahead.normal.dot(apart);
+    // Room for each plane: half the space between the parts here, plus what half the space grows by an offset further
+    // out along the bisector of the two normals.
     const double opening = std::sqrt(std::max(0.0, 0.5 * (1.0 + along)));
-    const double room = std::clamp(0.5 * (here.phi + other) + offset * opening, 0.0, offset);
-    const double give = std::max(kLeastGive, kGive * room);
+    const double room = std::clamp(0.5 * (nearest.phi + other) + offset * opening, 0.0, offset);
+    const double give = std::max(kMinGive, kGive * room);
     const Vec3& x = points_[s];
     ContactPlane& first = contacts.planes[s];
-    first.offset = first.normal.dot(x) + room - here.phi;
+    first.offset = first.normal.dot(x) + room - nearest.phi;
     first.give = give;
-    contacts.seconds.push_back({s, {there.normal, there.normal.dot(x) + room - other, give}});
+    contacts.seconds.push_back({s, {ahead.normal, ahead.normal.dot(x) + room - other, give}});
     ++rescues_.held;
   }
 }

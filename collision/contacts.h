@@ -1,78 +1,79 @@
-// Contacts of a cloth with the level set of a moving body.
+// Finds contact planes between the cloth's samples and a moving body.
 //
-//   gap = phi(x) - offset, m     offset: comfort, the least distance that the garment keeps from the body there
+//   gap = phi(x - tau u) - offset, m
 //
-// A level set stands for its pose; between poses it is carried along with the body's motion: at time tau after it, a
-// point x is looked up where the body's surface near it came from, x - tau u.
+//   phi      signed distance to the body in the pose of the level set, m
+//   u        motion of the body's surface near x from that pose to the next one, m
+//   tau      how far the body has moved between the two poses, 0 to 1 (body_moment.h)
+//   offset   comfort: the smallest distance that the garment keeps from the body, m
 //
-// Where two parts of the body are nearer to each other than twice the offset (an armpit), a plane of one of them would
-// throw the cloth into the other one, step after step.  There a sample has a plane of each.  If the parts face each
-// other, no point is an offset away from both: both planes are then put in the middle.
+// Looking a point up at x - tau u carries the level set along with the body, so that one level set serves a pose and
+// the time around it.
+//
+// Where two parts of the body are nearer to each other than twice the offset (an armpit), a single plane would push the
+// cloth away from one part into the other, step after step.  There a sample gets a plane for each part.  If the parts
+// face each other, no point is an offset away from both: both planes are then put halfway between them.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "collision/level_set.h"
+#include "collision/body_moment.h"
 #include "solver/model/contact.h"
 #include "solver/model/samples.h"
 
 namespace ease {
 
-/// The body around the pose that a level set was made of.
-struct BodyMoment {
-  LevelSet* level_set;
-  const TriangleTree* tree;    // of the same pose
-  const Triangles* triangles;  // of the body
-  const Positions* at;         // the pose of the level set
-  const Positions* towards;    // the pose before or after it, towards which tau counts
-  double tau = 0.0;            // how far the body has moved from `at` to `towards`, 0 to 1
-};
-
-/// How deep the cloth is in the body, m; 0 where outside.
+/// Largest depth of the cloth inside the body by kind of sample, m; 0 if no sample is inside.
 struct Penetration {
   double vertices = 0.0, edge_midpoints = 0.0, centroids = 0.0;
+  /// Raises the depths to those of these signed distances, one a sample, m.
   void deepen(const std::vector<double>& sample_distances, int vertex_count, int edge_count);
 };
 
-/// Samples, over all calls of find(), whose plane is not simply the offset away from the body.
+/// Counts, over all calls of find(), the samples whose plane does not simply lie the offset away from the body.
 struct ContactRescues {
-  long held = 0;     // between two parts of the body
-  long limited = 0;  // too deep to be moved out in one step
+  long held = 0;     // samples between two parts of the body, which got a plane for each part
+  long limited = 0;  // planes of samples too deep in the body to be moved out in one step
 };
 
+/// Finds contact planes and distances.  Remembers the body's triangle nearest to each sample as a starting guess.
 class ContactFinder {
  public:
-  /// Planes for each of the samples that touches the body or nearly does; `offsets`, m, one a sample.  A plane lies at
-  /// most `most_recovery` (m) above its sample.
-  void find(const BodyMoment& body, std::span<const Vec3> samples, std::span<const double> offsets,
-            double most_recovery, Contacts& contacts);
+  /// Finds a plane, or two, for each sample that touches the body or nearly does.  `offsets`: one a sample, m.  No
+  /// plane asks a sample to move out by more than `max_recovery` (m).
+  void find(const BodyMoment& body, std::span<const Vec3> samples, std::span<const double> offsets, double max_recovery,
+            Contacts& contacts);
 
-  /// Signed distance of each sample to the body, m; exact where it is below 2 mm.
+  /// Computes the signed distance of each sample to the body, m; exact where it is below 2 mm.
   void distances(const BodyMoment& body, std::span<const Vec3> samples, std::vector<double>& distances);
 
-  /// The same to first order and for nothing, where the samples have moved a little since the last find() at this
-  /// moment.
+  /// Cheap estimate of distances(): phi + normal . (x - x_0) from the last find(), which saw the sample at x_0.  Valid
+  /// only right after a find() at the same moment, for samples that moved little since.
   void distancesSinceFind(std::span<const Vec3> samples, std::vector<double>& distances) const;
 
-  /// Makes the next find() independent of earlier ones.
-  void forget() { found_.clear(); }
+  /// Discards what earlier calls found, so that the next result does not depend on them.
+  void discardHistory() { found_.clear(); }
 
   const ContactRescues& rescues() const { return rescues_; }
 
  private:
-  /// Fills found_; samples further than `near` (m) from the body need not be right.
+  /// Fills found_.  Samples further than `near` (m) from the body may keep an inexact result.
   void lookUp(const BodyMoment& body, std::span<const Vec3> samples, double near);
-  /// Looks up once more the samples that choose(s, point) wants to, at `point`: chosen_ and ahead_.
+  /// Looks up at a second point each sample s for which choose(s, point) returns true and sets `point`.  Lists those
+  /// samples in chosen_ and their results in ahead_.
   template <class Choose>
   void lookAhead(const BodyMoment& body, const Choose& choose);
+  /// Adds a second plane to samples between two parts of the body, and moves both planes to the middle.
   void makeRoom(const BodyMoment& body, std::span<const double> offsets, Contacts& contacts);
 
   std::vector<LevelSetSample> found_, ahead_;
-  std::vector<Vec3> points_, carried_, ahead_points_;
-  std::vector<int> carried_from_;  // triangle whose motion carried the sample
+  std::vector<Vec3> points_;   // the samples, m
+  std::vector<Vec3> carried_;  // the samples carried back to the pose of the level set, m
+  std::vector<Vec3> ahead_points_;
+  std::vector<int> carried_from_;  // triangle whose motion carried the sample back
   std::vector<char> is_chosen_;
-  std::vector<int> chosen_;  // samples looked up a second time
+  std::vector<int> chosen_;  // samples looked up at a second point
   ContactRescues rescues_;
 };
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/self_overlap.h"
+#include "collision/body_self_overlap.h"
 #include "collision/triangle_tree_data.h"
 #include "collision/voxel_blend.h"
 #include "collision/voxel_marks.h"
@@ -31,15 +31,15 @@ struct Voxel {
   int offset;
 };
 
-/// Of the corners one step before along z, y or x that are filled, the first; -1: none.
+/// Finds a filled corner one step before this one along z, y or x, in that order; -1: none.
 int filledNeighbour(const Leaf& leaf, int offset) {
   for (int step = 1; step < kSide * kSide * kSide; step *= kSide)
     if ((offset / step) % kSide > 0 && leaf.isValueOn(static_cast<openvdb::Index>(offset - step))) return offset - step;
   return -1;
 }
 
-/// Whether all corners of the voxel above the one at `offset` are filled; they lie in the leaf.  A slab of its mask is
-/// a word, a row along z a byte.
+/// Whether all eight corners of the voxel whose lowest corner is at `offset` are filled; all must lie in the leaf.  A
+/// slab of the leaf's mask (constant x) is a 64-bit word, a row along z is a byte of it.
 bool isVoxelFilled(const Leaf& leaf, openvdb::Index offset) {
   constexpr std::uint64_t kFace = 0x0303;
   const openvdb::Index slab = offset / (kSide * kSide);
@@ -53,19 +53,19 @@ bool isVoxelFilled(const Leaf& leaf, openvdb::Index offset) {
 struct LevelSet::Data {
   LevelSetOptions options;
   double per_voxel;    // 1/m
-  double corner_band;  // m: of a sample within the band, no corner is further from the surface
-  float far;           // the same: |phi| of a corner beyond it
+  double corner_band;  // m: distance of the surface up to which corners are exact; enough for samples within the band
+  float far;           // m: corner_band in single precision, the |phi| that corners beyond it hold
   VoxelMarks marks;
   openvdb::FloatGrid::Ptr grid;
   std::vector<Leaf*> leaves;         // leaf l has transientData() l
-  std::vector<VoxelCorner> corners;  // of leaf l: corners[512 l] ... in the order of its buffer; it has phi too
+  std::vector<VoxelCorner> corners;  // leaf l: corners[512 l] ... in the order of its buffer, which holds phi too
   std::vector<int> nearest;          // triangle nearest to each corner; -1 beyond the band
   const TriangleTree* body = nullptr;
-  Eigen::AlignedBox3d reach;                   // outside, every distance is beyond the band
-  std::vector<unsigned char> nearest_to_some;  // of the body's triangles: whether it is nearest to a corner
-  SelfOverlap overlap;
+  Eigen::AlignedBox3d reach;                   // m: outside this box every distance is beyond the band
+  std::vector<unsigned char> nearest_to_some;  // by triangle: whether it is nearest to any corner
+  BodySelfOverlap overlap;
   long filled_on_demand = 0;
-  std::vector<int> missed;  // samples
+  std::vector<int> missed;  // samples that need an unfilled corner
   std::vector<Voxel> demanded;
 
   Vec3 position(const Coord& corner) const { return options.voxel * Vec3(corner[0], corner[1], corner[2]); }
@@ -139,7 +139,7 @@ void LevelSet::Data::resizeCorners() {
   nearest.resize(corners.size());
 }
 
-/// Distances signed by the pseudonormals, which is right but where the surface overlaps itself.
+/// Computes distances and their signs by pseudonormals, which are right except where the surface overlaps itself.
 void LevelSet::Data::fillLeaf(Leaf& leaf) {
   const int* filled = &nearest[leaf.transientData() * size_t{Leaf::SIZE}];
   const float* phi = leaf.buffer().data();
@@ -151,15 +151,15 @@ void LevelSet::Data::fillLeaf(Leaf& leaf) {
       if ((x - found.point).dot(found.pseudonormal) < 0.0) found.distance = -found.distance;
       std::atomic_ref(nearest_to_some[found.triangle]).store(1, std::memory_order_relaxed);
     } else {
-      // The way from one corner to the next, which is shorter than the band, does not cross the surface.
-      const bool known = before >= 0 && filled[before] < 0;
-      if (known ? phi[before] < 0.0f : body->windingNumber(x) > 0) found.distance = -found.distance;
+      // A corner beyond the band has the sign of its neighbour if that is beyond the band too: no surface lies between.
+      const bool has_known_sign = before >= 0 && filled[before] < 0;
+      if (has_known_sign ? phi[before] < 0.0f : body->windingNumber(x) > 0) found.distance = -found.distance;
     }
     store({&leaf, offset}, x, found);
   }
 }
 
-/// Computes again, for the union, the corners whose nearest triangles turn out to be more than its boundary.
+/// Recomputes, as distances to the union, the corners whose nearest triangle crosses another or is buried in the body.
 void LevelSet::Data::resolveOverlap() {
   overlap.find(*body, nearest_to_some);
   if (overlap.crossing() + overlap.buried() == 0) return;
@@ -181,7 +181,7 @@ void LevelSet::Data::fillVoxel(const Voxel& voxel) {
 
 Vec3 LevelSet::Data::gradientAt(const Vec3& x, const ClosestPoint& found) const {
   if (found.triangle < 0) return Vec3::Zero();
-  // On the surface the direction to the closest point is lost in rounding; the pseudonormal takes its place.
+  // On the surface the direction to the closest point is round-off; the pseudonormal takes its place.
   const bool on_surface = std::abs(found.distance) < 1e-7 * options.voxel;
   return on_surface ? found.pseudonormal.normalized() : Vec3((x - found.point) / found.distance);
 }
@@ -195,7 +195,7 @@ void LevelSet::Data::store(const Voxel& voxel, const Vec3& x, const ClosestPoint
   nearest[at] = found.triangle;
 }
 
-/// Finds the corners of the voxel above `low`; false where one is not filled.
+/// Finds the eight corners of the voxel whose lowest corner is `low`; returns false if one is not filled.
 bool LevelSet::Data::findCorners(const Coord& low, Accessor& accessor, const VoxelCorner** corner) const {
   const Leaf* lowest = accessor.probeConstLeaf(low);
   const openvdb::Index offset = Leaf::coordToOffset(low);
@@ -206,8 +206,8 @@ bool LevelSet::Data::findCorners(const Coord& low, Accessor& accessor, const Vox
     for (int c = 0; c < 8; ++c) corner[c] = first + (c >> 2) * kSide * kSide + ((c >> 1) & 1) * kSide + (c & 1);
     return true;
   }
-  // Bits of the axes along which the upper corners lie in the next leaf; a corner's leaf is that of the first with its
-  // bits.
+  // `crossed` has a bit for each axis along which the upper corners lie in the next leaf.  Corners with equal bits
+  // there lie in the same leaf, which the first of them looks up.
   const int crossed = (last(0) ? 4 : 0) + (last(1) ? 2 : 0) + (last(2) ? 1 : 0);
   const Leaf* leaf[8];
   for (int c = 0; c < 8; ++c) {

@@ -11,7 +11,12 @@ namespace ease {
 
 namespace {
 
-constexpr double kMarginVoxels = 0.4;  // how far samples stray from where a level set was prepared
+/// Number of the interpolated pose nearest to s.
+int nearestPose(double s) {
+  return static_cast<int>(std::lround(s));
+}
+
+constexpr double kMarginVoxels = 0.4;  // how far samples move away from the points a level set was prepared around
 
 }  // namespace
 
@@ -65,17 +70,22 @@ void MovingBody::prepare(int k, std::span<const Vec3> points) {
   times_.level_set_s += secondsSince(start);
 }
 
-BodyMoment MovingBody::at(double s) {
-  const int k = static_cast<int>(std::lround(s));
+BodyMoment MovingBody::motionAt(double s) const {
+  const int k = nearestPose(s);
   const double tau = s - k;
-  return {&prepared_[k % 2].level_set,      &prepared_[k % 2].tree, &triangles_, &pose(k),
-          &pose(tau < 0.0 ? k - 1 : k + 1), std::abs(tau)};
+  return {nullptr, nullptr, &triangles_, &pose(k), &pose(tau < 0.0 ? k - 1 : k + 1), std::abs(tau)};
+}
+
+BodyMoment MovingBody::at(double s) {
+  BodyMoment moment = motionAt(s);
+  Prepared& prepared = prepared_[nearestPose(s) % 2];
+  moment.level_set = &prepared.level_set;
+  moment.tree = &prepared.tree;
+  return moment;
 }
 
 void MovingBody::positions(double s, Positions& x) const {
-  const int k = static_cast<int>(std::lround(s));
-  const double tau = s - k;
-  x = (1.0 - std::abs(tau)) * pose(k) + std::abs(tau) * pose(tau < 0.0 ? k - 1 : k + 1);
+  motionAt(s).positions(x);
 }
 
 long MovingBody::voxelsOnDemand() const {

@@ -1,10 +1,11 @@
-// The body in motion: interpolated poses, and the level set of each.
+// The body in motion: interpolates between its poses and keeps the level sets of the poses around the present one.
 //
-//   s     how far the motion is, in interpolation steps: pose p is reached at s = p * steps; beyond the last pose the
-//         motion runs back, and forth again
-//   L_k   level set of interpolated pose k; stands for the body while s is nearest to k
+//   s     position along the motion, in interpolation steps: pose p is reached at s = p * steps; beyond the last pose
+//         the motion runs back to the first, and forth again
+//   k     number of an interpolated pose, at s = k
+//   L_k   level set of interpolated pose k; serves all s whose nearest whole number is k
 //
-// prepare(k + 1) touches nothing that L_k's users read, so that it may run beside them.
+// prepare(k + 1) writes nothing that a user of L_k reads, so that both may run at the same time.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ namespace ease {
 
 class MovingBody {
  public:
-  /// `steps`: interpolation steps from a pose to the next.  One pose: a body that does not move.
+  /// `steps`: interpolation steps from a pose to the next.  With one pose the body does not move.
   MovingBody(const Triangles& triangles, const std::vector<Positions>& poses, int steps,
              const LevelSetOptions& options);
 
@@ -26,27 +27,31 @@ class MovingBody {
   /// Interpolation steps from the first pose to the last.
   int motionSteps() const { return static_cast<int>(interpolations_.size()) * steps_; }
 
-  /// Makes L_k, right around the points, and the poses k - 1, k, k + 1.  Call with k = 0, 1, 2, ... or start over at 0.
+  /// Makes the poses k - 1, k and k + 1, and L_k around the points.  Call with k = 0, 1, 2, ... or start over at 0.
   void prepare(int k, std::span<const Vec3> points);
 
-  /// Level set and motion around s; the level set of the pose nearest to s must have been prepared.
+  /// The body at s.  prepare() must have been called for the pose nearest to s.
   BodyMoment at(double s);
 
-  /// Vertices at s, m.
+  /// Computes the positions of the vertices at s, m.  prepare() must have been called for the pose nearest to s.
   void positions(double s, Positions& x) const;
 
   struct Times {
-    double interpolation_s = 0.0, level_set_s = 0.0;  // wall, of the thread that prepared
+    double interpolation_s = 0.0, level_set_s = 0.0;  // wall time of the thread that called prepare()
   };
   const Times& times() const { return times_; }
   size_t levelSetBytes() const;
-  /// Voxels, of all level sets so far, that prepare() did not foresee.
+  /// Number of voxel corners, over all level sets so far, that prepare() did not foresee.
   long voxelsOnDemand() const;
 
  private:
+  /// Number of the pose between the first and the last one that pose k repeats, as the motion runs back and forth.
   int folded(int k) const;
+  /// Computes pose k unless its slot holds it already.
   void interpolate(int k);
   const Positions& pose(int k) const;
+  /// The body at s without level set and tree.
+  BodyMoment motionAt(double s) const;
 
   struct Slot {
     int k = -1;
@@ -63,9 +68,9 @@ class MovingBody {
   Positions first_;
   std::vector<PoseInterpolation> interpolations_;
   std::array<Slot, 4> poses_;       // pose k in slot k mod 4
-  std::vector<Prepared> prepared_;  // L_k in k mod 2
+  std::vector<Prepared> prepared_;  // L_k in place k mod 2
   Times times_;
-  long voxels_on_demand_ = 0;  // of level sets replaced since
+  long voxels_on_demand_ = 0;  // of level sets that have been replaced
 };
 
 }  // namespace ease

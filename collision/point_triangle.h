@@ -1,4 +1,4 @@
-// Closest point of one triangle, and the part of it that the point lies on.
+// Finds the closest point on one triangle, and whether it lies on a face, an edge or a vertex.
 //
 //            c
 //           / \        vertex_k: corner k;  edge_k: the edge that starts at corner k
@@ -20,7 +20,7 @@ struct TrianglePoint {
   Feature feature;
 };
 
-/// Of triangle (a, b, c), which may be degenerate, the point closest to x.
+/// Finds the point of triangle (a, b, c) closest to x.  The triangle may be degenerate.
 inline TrianglePoint closestOnTriangle(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto share = [](double part, double rest) { return part + rest > 0.0 ? part / (part + rest) : 0.0; };
   const Vec3 ab = b - a, ac = c - a, ax = x - a;
@@ -29,7 +29,7 @@ inline TrianglePoint closestOnTriangle(const Vec3& x, const Vec3& a, const Vec3&
   const Vec3 bx = x - b;
   const double ab_bx = ab.dot(bx), ac_bx = ac.dot(bx);
   if (ab_bx >= 0.0 && ac_bx <= ab_bx) return {b, Feature::vertex_1};
-  const double weight_c = ab_ax * ac_bx - ab_bx * ac_ax;  // times four squared areas, as are the next two
+  const double weight_c = ab_ax * ac_bx - ab_bx * ac_ax;  // weights are multiplied by four times the squared area
   if (weight_c <= 0.0 && ab_ax >= 0.0 && ab_bx <= 0.0) return {a + share(ab_ax, -ab_bx) * ab, Feature::edge_0};
   const Vec3 cx = x - c;
   const double ab_cx = ab.dot(cx), ac_cx = ac.dot(cx);

@@ -17,10 +17,10 @@ float square(float a) {
   return a * a;
 }
 
-/// A point as the single-precision boxes and triangles see it.
+/// A point in single precision relative to the centre, to be compared with boxes and triangles.
 struct FloatPoint {
   std::array<float, 3> x;
-  double slack;  // m: how far rounding may shift a distance
+  double slack;  // m: upper bound of the round-off in a distance
 
   FloatPoint(const TriangleTree::Data& tree, const Vec3& point) {
     const Vec3 relative = point - tree.centre;
@@ -28,7 +28,7 @@ struct FloatPoint {
     slack = tree.slack + 1e-6 * relative.cwiseAbs().maxCoeff();
   }
 
-  /// What a squared distance in single precision may be for the distance to be at most sqrt(squared).
+  /// Upper bound of the squared distance in single precision if the exact squared distance is at most `squared`.
   float bound(double squared) const {
     const double distance = std::sqrt(squared) + slack;
     return static_cast<float>(distance * distance * (1.0 + 1e-6));
@@ -37,11 +37,11 @@ struct FloatPoint {
 
 /// Distance of x from the interval from `low` to `high`.
 inline float outside(float x, float low, float high) {
-  return larger(larger(low - x, x - high), 0.0f);
+  return floatMax(floatMax(low - x, x - high), 0.0f);
 }
 
-/// Squared distances of the node's boxes.
-inline NearLanes boxDistances(const TreeNode& node, const FloatPoint& p, float bound, Lanes& squared) {
+/// Computes the squared distances from the point to the node's boxes.
+inline NearLanes boxDistances(const TreeNode& node, const FloatPoint& p, float bound, FloatLanes& squared) {
   const float x = p.x[0], y = p.x[1], z = p.x[2];
   for (int k = 0; k < kWidth; ++k)
     squared[k] = square(outside(x, node.low[0][k], node.high[0][k])) +
@@ -52,13 +52,13 @@ inline NearLanes boxDistances(const TreeNode& node, const FloatPoint& p, float b
 
 /// Squared distance of the point d from the segment from 0 to e.
 inline float segmentDistance(float dx, float dy, float dz, float ex, float ey, float ez, float inverse_square) {
-  const float s = smaller(larger((dx * ex + dy * ey + dz * ez) * inverse_square, 0.0f), 1.0f);
+  const float s = floatMin(floatMax((dx * ex + dy * ey + dz * ez) * inverse_square, 0.0f), 1.0f);
   return square(dx - s * ex) + square(dy - s * ey) + square(dz - s * ez);
 }
 
-/// Squared distances of the leaf's triangles: to the plane where the point projects into the triangle, else to the
-/// nearest edge.
-inline NearLanes triangleDistances(const TreeLeaf& leaf, const FloatPoint& p, float bound, Lanes& squared) {
+/// Computes the squared distances from the point to the leaf's triangles: to the plane if the point projects into the
+/// triangle, else to the nearest edge.
+inline NearLanes triangleDistances(const TreeLeaf& leaf, const FloatPoint& p, float bound, FloatLanes& squared) {
   for (int k = 0; k < kWidth; ++k) {
     const float dx = p.x[0] - leaf.corner[0][k], dy = p.x[1] - leaf.corner[1][k], dz = p.x[2] - leaf.corner[2][k];
     const float nx = leaf.normal[0][k], ny = leaf.normal[1][k], nz = leaf.normal[2][k];
@@ -70,20 +70,20 @@ inline NearLanes triangleDistances(const TreeLeaf& leaf, const FloatPoint& p, fl
     const float to_1 = segmentDistance(dx, dy, dz, ax, ay, az, leaf.inverse_square[0][k]);
     const float to_2 = segmentDistance(dx, dy, dz, bx, by, bz, leaf.inverse_square[1][k]);
     const float to_3 = segmentDistance(dx - ax, dy - ay, dz - az, bx - ax, by - ay, bz - az, leaf.inverse_square[2][k]);
-    const float inner = smaller(smaller(side_1, -side_2), leaf.double_area[k] + side_2 - side_1);
-    squared[k] = inner >= 0.0f ? plane : smaller(smaller(to_1, to_2), to_3);
+    const float inner = floatMin(floatMin(side_1, -side_2), leaf.double_area[k] + side_2 - side_1);
+    squared[k] = inner >= 0.0f ? plane : floatMin(floatMin(to_1, to_2), to_3);
   }
   return nearLanes(squared, bound);
 }
 
 struct Nearest {
   int triangle = -1;
-  double squared;  // m^2: of the point, or of the search's limit
+  double squared;  // m^2: squared distance, or the limit of the search
   TrianglePoint at;
 };
 
-/// Depth-first search, nearest child first, for the closest point on triangles that `accepts(triangle, point)` lets
-/// pass.
+/// Depth-first search, nearest child first, for the closest point among triangles for which accepts(triangle, point)
+/// returns true.
 template <class Accepts>
 class Search {
  public:
@@ -109,25 +109,25 @@ class Search {
  private:
   static constexpr int kNone = std::numeric_limits<int>::min();  // no child
 
-  /// The nearest child; the others are put on the stack.
+  /// Returns the nearest child within the bound and puts the others within it on the stack; kNone: there is none.
   int visitNode(const TreeNode& node) {
-    alignas(32) Lanes squared;
-    const auto [near, least] = boxDistances(node, p_, bound_, squared);
+    alignas(32) FloatLanes squared;
+    const auto [near, smallest] = boxDistances(node, p_, bound_, squared);
     if (near == 0) return kNone;
-    for (unsigned others = near & ~(1u << least); others != 0; others &= others - 1) {
+    for (unsigned others = near & ~(1u << smallest); others != 0; others &= others - 1) {
       const int k = __builtin_ctz(others);
       stack_squared_[size_] = squared[k];
       stack_child_[size_++] = node.child[k];
     }
-    return node.child[least];
+    return node.child[smallest];
   }
 
   void visitLeaf(const TreeLeaf& leaf) {
-    alignas(32) Lanes squared;
-    const auto [near, least] = triangleDistances(leaf, p_, bound_, squared);
+    alignas(32) FloatLanes squared;
+    const auto [near, smallest] = triangleDistances(leaf, p_, bound_, squared);
     if (near == 0) return;
-    tryTriangle(leaf.triangle[least]);
-    for (unsigned others = near & ~(1u << least); others != 0; others &= others - 1)
+    tryTriangle(leaf.triangle[smallest]);
+    for (unsigned others = near & ~(1u << smallest); others != 0; others &= others - 1)
       if (const int k = __builtin_ctz(others); squared[k] <= bound_) tryTriangle(leaf.triangle[k]);
   }
 
@@ -146,7 +146,7 @@ class Search {
   const Accepts& accepts_;
   Nearest best_;
   float bound_;
-  std::array<float, kStackSize> stack_squared_;  // nodes and leaves still to be visited: their boxes' distances
+  std::array<float, kStackSize> stack_squared_;  // squared distances of nodes and leaves still to be visited
   std::array<int, kStackSize> stack_child_;
   int size_ = 0;
 };
@@ -156,6 +156,7 @@ Nearest nearest(const TriangleTree::Data& tree, const Vec3& x, double max_distan
   return Search<Accepts>(tree, x, max_distance, accepts).run(hint);
 }
 
+/// Angle of triangle t at its vertex v, radians.
 double angleAt(const TriangleTree::Data& tree, int t, int v) {
   int k = 0;
   while (tree.triangles(t, k) != v) ++k;
@@ -163,7 +164,8 @@ double angleAt(const TriangleTree::Data& tree, int t, int v) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// The face's normal; the sum over an edge's triangles; around a vertex, the sum weighted by the angles there.
+/// Computes the pseudonormal: of a face its normal, of an edge the sum of its triangles' normals, of a vertex the sum
+/// of its triangles' normals weighted by their angles there.
 Vec3 pseudonormal(const TriangleTree::Data& tree, int t, Feature feature) {
   if (feature == Feature::face) return tree.normals[t];
   const bool on_edge = feature < Feature::vertex_0;
@@ -180,15 +182,16 @@ Vec3 pseudonormal(const TriangleTree::Data& tree, int t, Feature feature) {
   return sum;
 }
 
+/// Adds distance and pseudonormal to the result of a search.
 ClosestPoint describe(const TriangleTree::Data& tree, const Nearest& found, double max_distance) {
   if (found.triangle < 0) return {-1, Vec3::Zero(), max_distance, Vec3::Zero()};
   return {found.triangle, found.at.point, std::sqrt(found.squared),
           pseudonormal(tree, found.triangle, found.at.feature)};
 }
 
-/// Whether the edge from vertex i to vertex j, seen along the ray at the origin of the plane (u, v), crosses the half
-/// axis u > 0: +1 upwards, -1 downwards.  The two triangles of an edge see exactly opposite values, so that a ray
-/// through an edge or a vertex is counted once.
+/// Projects the edge from vertex i to vertex j along the ray onto the plane (u, v) with the ray at the origin, and
+/// tells whether it crosses the half axis u > 0: +1 upwards, -1 downwards, 0 not.  The two triangles of an edge get
+/// exactly opposite values, so that a ray through an edge or a vertex is counted once.
 int edgeCrossing(const TriangleTree::Data& tree, const Vec3& x, int axis, int i, int j) {
   const int sign = i < j ? 1 : -1;
   if (i > j) std::swap(i, j);
@@ -211,7 +214,7 @@ int rayCrossing(const TriangleTree::Data& tree, const Vec3& x, int axis, int t) 
   return ahead > 0.0 ? crossing : 0;
 }
 
-/// Winding number at x, all triangles but `skipped` counted along the positive `axis`.
+/// Winding number at x from a ray along the positive `axis`, without triangle `skipped`.
 int windingAlong(const TriangleTree::Data& tree, const Vec3& x, int axis, int skipped) {
   Eigen::AlignedBox3d ray(x, x);
   FloatBox box = tree.relative(ray);
@@ -233,8 +236,8 @@ int windingAlong(const TriangleTree::Data& tree, const Vec3& x, int axis, int sk
 }  // namespace
 
 ClosestPoint TriangleTree::closest(const Vec3& x, double max_distance, int hint) const {
-  const auto all = [](int, const Vec3&) { return true; };
-  return describe(*data_, nearest(*data_, x, max_distance, hint, all), max_distance);
+  const auto accept_any = [](int, const Vec3&) { return true; };
+  return describe(*data_, nearest(*data_, x, max_distance, hint, accept_any), max_distance);
 }
 
 int TriangleTree::windingNumber(const Vec3& x) const {
@@ -244,7 +247,8 @@ int TriangleTree::windingNumber(const Vec3& x) const {
 int TriangleTree::windingOutside(int triangle, const Vec3& point) const {
   const Data& tree = *data_;
   const Vec3 centroid = (corner(tree, triangle, 0) + corner(tree, triangle, 1) + corner(tree, triangle, 2)) / 3.0;
-  const Vec3 inner = point + 1e-3 * (centroid - point);  // off the edges, which neighbours share
+  constexpr double kInward = 1e-3;  // of the way to the centroid: off the edges, which neighbours share
+  const Vec3 inner = point + kInward * (centroid - point);
   int axis = 0;
   tree.normals[triangle].cwiseAbs().maxCoeff(&axis);
   const int ahead = windingAlong(tree, inner, axis, triangle);
@@ -264,7 +268,7 @@ ClosestPoint TriangleTree::closestOfUnion(const Vec3& x, double max_distance, in
     if (!outer_side) found.distance = -found.distance;
     return found;
   }
-  // Nothing lies between x and the point found, so that the winding numbers on the point's two sides follow from x's.
+  // No surface lies between x and the point found, so that the winding number at x is that on the point's near side.
   const int winding = windingNumber(x);
   const bool exposed = (outer_side ? winding : winding - 1) == 0;
   if (!exposed) {

@@ -1,9 +1,9 @@
-// Bounding-box tree over the triangles of a moving surface: exact closest points, inside or outside.
+// Bounding-box tree over the triangles of a moving surface: finds exact closest points, and whether a point is inside.
 //
-// Built once for the connectivity, refit for every pose.  The surface is closed, its triangles counter-clockwise from
-// outside.  Where it passes through itself or one part lies in another, the body is the union of all that it encloses:
-// the points with a positive winding number.  A part of the surface that lies within that union bounds nothing and
-// is called buried.  Of a surface without triangles nothing is near and every point is outside.
+// The tree is built once for the connectivity and refit for every pose.  The surface is closed; its triangles are
+// counter-clockwise seen from outside.  Where it passes through itself or one part lies in another, the body is the
+// union of all that it encloses: the points with a positive winding number.  A part of the surface that lies inside
+// that union does not bound it and is called buried.  A surface without triangles is near nothing and encloses nothing.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,7 +21,7 @@ struct ClosestPoint {
   Vec3 pseudonormal;  // of the face, edge or vertex that `point` lies on (Baerentzen and Aanaes 2005), not normalised
 };
 
-/// What a triangle is to the union: not known yet, a part of its boundary, partly so, or no part of it.
+/// How much of a triangle lies on the boundary of the union: not known yet, all of it, a part of it, or nothing.
 enum class Exposure : unsigned char { unknown, boundary, crossing, buried };
 
 class TriangleTree {
@@ -31,25 +31,24 @@ class TriangleTree {
   TriangleTree(TriangleTree&&) noexcept;
   TriangleTree& operator=(TriangleTree&&) noexcept;
 
-  /// Moves the surface; same connectivity.
+  /// Moves the surface; the triangles stay those of the constructor.
   void refit(const Positions& positions);
 
-  /// Closest point of the surface within `max_distance`; `hint` is a triangle that is likely close (-1: none) and
-  /// changes nothing but the time taken.  Of triangles equally close, the one with the lowest index.
+  /// Finds the closest point of the surface within `max_distance` (m).  If several triangles are equally close, the one
+  /// with the lowest index counts.  `hint` is a triangle that is likely close (-1: none); it changes the speed only.
   ClosestPoint closest(const Vec3& x, double max_distance, int hint = -1) const;
 
-  /// Closest point of the union's boundary; `distance` has a sign, negative inside, and is +-max_distance where nothing
-  /// is within that.  A crossing triangle counts only if its own closest point is exposed, so that the depth within an
-  /// overlap errs by up to a triangle's size near the seam; everywhere else it is exact.  `exposures`, one a triangle,
-  /// saves ray casts; empty: all unknown.
+  /// Finds the closest point of the union's boundary.  `distance` is negative inside, and +-max_distance if the
+  /// boundary is further than that.  A crossing triangle counts only if its own closest point lies on the boundary of
+  /// the union: near the seam of an overlap the depth therefore errs by up to a triangle's size; elsewhere it is exact.
+  /// `exposures`, one a triangle, saves ray casts; empty: all unknown.
   ClosestPoint closestOfUnion(const Vec3& x, double max_distance, int hint = -1,
                               std::span<const Exposure> exposures = {}) const;
 
-  /// Distance to the surface, m, negative inside; right also where the surface overlaps itself.  At most `max_distance`
-  /// in size.
+  /// Signed distance to the union's boundary, m, negative inside, limited to +-max_distance.
   double signedDistance(const Vec3& x, double max_distance) const;
 
-  /// How many times the surface winds around x: 0 outside, 1 inside, 2 in an overlap.
+  /// Number of times that the surface winds around x: 0 outside, 1 inside, 2 in an overlap.
   int windingNumber(const Vec3& x) const;
 
   /// Winding number just outside `triangle` near `point`, which lies on it: 0 where the triangle bounds the union.

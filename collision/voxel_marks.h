@@ -1,7 +1,7 @@
-// Which corners of a grid of voxels lie around a set of points, in blocks of 8 x 8 x 8.
+// Marks the corners of grid voxels that lie around a set of points, in blocks of 8 x 8 x 8 corners.
 //
-// Corner (i, j, k) is the point (i, j, k) times the voxel's length.  Of the block that holds it, it is bit 8 (j mod 8)
-// + k mod 8 of word i mod 8: a row along z is a byte, a slab of eight rows a word.
+// Corner (i, j, k) is the point (i, j, k) times the voxel's length.  In its block it is bit 8 (j mod 8) + k mod 8 of
+// word i mod 8: a row along z is a byte, a slab of eight rows (constant i) is a 64-bit word.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -18,16 +18,16 @@ using GridPoint = std::array<int, 3>;
 
 struct MarkedBlock {
   GridPoint origin;                           // lowest corner; multiples of 8
-  std::array<std::uint64_t, 8> corners = {};  // one bit each
+  std::array<std::uint64_t, 8> corners = {};  // one bit a corner
 };
 
 class VoxelMarks {
  public:
-  /// Marks the corners of every voxel within `margin` (m, by coordinate) of one of the points and within `reach`.  The
-  /// points are finite.
+  /// Marks the corners of every voxel that is within `margin` (m, in each coordinate) of a point and within `reach`.
+  /// Clears earlier marks.  `voxel`: length of a voxel's side, m.  All points must be finite.
   void mark(std::span<const Vec3> points, double margin, double voxel, const Eigen::AlignedBox3d& reach);
 
-  /// In the order of their origins; each with at least one corner.
+  /// The blocks with at least one marked corner, in the order of their origins.
   const std::vector<MarkedBlock>& blocks() const { return blocks_; }
 
  private:
@@ -38,10 +38,10 @@ class VoxelMarks {
   void visitBlocks(const Range& range, const Visit& visit) const;
   void createBlocks();
 
-  GridPoint first_{}, size_{};  // of the table, in blocks
-  std::vector<int> table_;      // by block: its place in blocks_; -1: none
+  GridPoint first_{}, size_{};  // lowest block of the table and its extent, in blocks
+  std::vector<int> table_;      // index of each block in blocks_; -1: not marked
   std::vector<MarkedBlock> blocks_;
-  std::vector<Range> ranges_;  // of the points
+  std::vector<Range> ranges_;  // one a point
 };
 
 }  // namespace ease

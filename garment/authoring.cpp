@@ -16,7 +16,7 @@
 namespace ease {
 namespace {
 
-constexpr int kMostVertices = 200000;
+constexpr int kMaxVertices = 200000;
 
 using Clock = std::chrono::steady_clock;
 
@@ -42,9 +42,9 @@ LoopedMesh remeshedGarment(const LoopedMesh& garment, const GarmentTools& tools,
   int vertices = tools.resolution;
   if (tools.edge_length > 0.0) {  // of an equilateral mesh
     const double wanted = totalArea(garment.mesh) / (0.5 * std::sqrt(3.0) * tools.edge_length * tools.edge_length);
-    if (wanted > kMostVertices)
+    if (wanted > kMaxVertices)
       throw InputError(fmt::format("edge_length = {:g}: {:.0f} vertices: expected at most {}", tools.edge_length,
-                                   wanted, kMostVertices));
+                                   wanted, kMaxVertices));
     vertices = static_cast<int>(std::lround(wanted));
   }
   return withLoopNames(remeshedTo(garment.mesh, vertices, "garment", pause), garment);

@@ -1,4 +1,4 @@
-// The tools in their order: boundary, region, extension, remeshing, comfort, paint, seams.
+// Makes a garment on a body by the tools in their order: boundary, region, extension, remeshing, seams, comfort.
 #pragma once
 
 #include "garment/boundary_loop.h"
@@ -21,7 +21,7 @@ struct GarmentTools {
   std::vector<SeamRequest> seams;
 };
 
-/// What the garment keeps from the body.
+/// The distance that the garment keeps from the body.
 struct Comfort {
   double offset = 0.005;  // m
   std::vector<Brush> regions;

@@ -16,9 +16,9 @@
 namespace ease {
 namespace {
 
-constexpr int kFewest = 300, kMost = 100000;  // vertices
-constexpr double kWidestOffset = 0.05;        // m
-constexpr double kBeyondCut = 0.025;          // m: the uncut surface ends this far behind the planes
+constexpr int kMinVertices = 300, kMaxVertices = 100000;  // vertices
+constexpr double kWidestOffset = 0.05;                    // m
+constexpr double kBeyondCut = 0.025;                      // m: the uncut surface ends this far behind the planes
 
 /// A garment's shape: what is added to the body, and where it is cut.
 struct Pattern {
@@ -92,9 +92,9 @@ TriangleMesh cutGarment(const DistanceField& field, const Pattern& pattern, cons
 
 TriangleMesh builtinGarment(const std::string& name, int vertices, double offset) {
   const Pattern pattern = findPattern(name);
-  if (vertices < kFewest || vertices > kMost)
-    throw InputError(
-        fmt::format("built-in garment \"{}\": vertices = {}, expected {} to {}", name, vertices, kFewest, kMost));
+  if (vertices < kMinVertices || vertices > kMaxVertices)
+    throw InputError(fmt::format("built-in garment \"{}\": vertices = {}, expected {} to {}", name, vertices,
+                                 kMinVertices, kMaxVertices));
   if (!(offset >= 0.0 && offset <= kWidestOffset))
     throw InputError(
         fmt::format("built-in garment \"{}\": offset = {} m, expected 0 to {} m", name, offset, kWidestOffset));

@@ -16,10 +16,10 @@ namespace {
 
 constexpr int kSmoothingRounds = 30;
 constexpr int kPatience = 25;  // rounds of moving out before samples settle for less
-constexpr int kMostRounds = 300;
-constexpr double kDoubt = 1e-3;      // m: samples nearer to what is wanted are looked up exactly in the end
+constexpr int kMaxRounds = 300;
+constexpr double kDoubt = 1e-3;      // m: in the last rounds samples with less to spare are measured exactly
 constexpr double kRoomKept = 0.8;    // of half the room between two parts of the body
-constexpr double kOvershoot = 1e-4;  // m: or the last micrometres would take for ever
+constexpr double kOvershoot = 1e-4;  // m: without it the last micrometres would take many rounds
 constexpr double kBand = 0.06;       // m beyond the largest offset: how deep the garment may begin inside the body
 constexpr double kVoxel = 0.01;      // m
 constexpr double kFarthest = 0.2;    // m
@@ -53,7 +53,7 @@ class Mover {
     level_set_.build(body_, samples_, 0.0);
     const int held = limitToRoom(offsets);
     contact_samples_.values(offsets, wanted_);
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxRounds; ++round) {
       const bool is_last_part = round >= kSmoothingRounds;
       if (!is_last_part) smooth();
       if (!pushOut(is_last_part) && is_last_part) return held;
@@ -72,8 +72,13 @@ class Mover {
     });
   }
 
-  /// Reduces offsets to what room there is: moving out by d from where the distance is phi_0 leads to phi_1 from
-  /// another part, whose normal faces this one's; where d and that distance are equal is the middle.
+  /// Reduces offsets where two parts of the body face each other with too little room; returns how many.
+  ///
+  ///   |<- phi_0 ->x------ d ----->y<- phi_1 ->|     x: vertex, y: x moved out by d = offset - phi_0
+  ///   part 0                           part 1       c = n_0 . n_1 < 0
+  ///
+  /// Moving out by s from x changes the distance to part 1 from phi_1 - d c to phi_1 - d c + s c.  It equals the
+  /// distance phi_0 + s to part 0 in the middle: s = (phi_1 - d c - phi_0) / (1 - c).
   int limitToRoom(std::vector<double>& offsets) {
     const int n = static_cast<int>(offsets.size());
     std::vector<LevelSetSample> here(n), there(n);

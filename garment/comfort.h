@@ -1,4 +1,4 @@
-// Tool 4: comfort, the least distance that the garment keeps from the body, everywhere or by region.
+// Tool 4: comfort, the smallest distance that the garment keeps from the body, everywhere or by region.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace ease {
 
-/// Comfort offset at every vertex, m: `offset`, and towards a brush's value where it acts; later brushes act upon what
-/// earlier ones left.  Throws InputError, naming its place in the list, where a brush touches no vertex.
+/// Comfort offset at every vertex, m: `offset`, blended towards a brush's value where the brush acts; later brushes act
+/// on the result of earlier ones.  Throws InputError naming the number of a brush that touches no vertex.
 std::vector<double> comfortOffsets(const Positions& positions, double offset, const std::vector<Brush>& regions);
 
 /// Moves the garment out until every vertex, edge midpoint and centroid is its offset, the mean of its vertices', away

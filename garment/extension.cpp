@@ -32,8 +32,8 @@ Vec3 displacement(const Extension& extension, const LoopedMesh& garment, const N
   const std::vector<Vec3> points = positionsOf(loop.vertices, garment.mesh.positions);
   const Vec3 area = vectorArea(points);
   const double perimeter = polygonLength(points, true);
-  constexpr double kLeastArea = 1e-3;  // of the squared perimeter; a circle has 0.08
-  if (area.norm() < kLeastArea * perimeter * perimeter)
+  constexpr double kMinArea = 1e-3;  // of the squared perimeter; a circle has 0.08
+  if (area.norm() < kMinArea * perimeter * perimeter)
     throw InputError(fmt::format(
         "extension: loop '{}' has no axis, its vector area is {:.2g} m^2: expected 'to' instead of 'length'", loop.name,
         area.norm()));

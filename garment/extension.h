@@ -1,4 +1,5 @@
-// Tool 2: a skirt, a wide sleeve: a loop is duplicated, moved along its axis, scaled and joined with the garment.
+// Tool 2: extends a garment, as by a skirt or a wide sleeve: a loop is duplicated, moved along its axis, scaled and
+// joined with the garment.
 //
 //   c = sum_i l_i p_i / sum_i l_i       centre of mass of the loop, l_i half the length of its edges at vertex i
 //   A = 1/2 sum_i p_i x p_(i+1)         vector area, m^2; the axis A / |A|, turned away from the garment
@@ -16,7 +17,7 @@
 namespace ease {
 
 struct Extension {
-  std::string loop;        // that moves, and keeps its name
+  std::string loop;        // name of the loop that moves; the new loop keeps it
   std::optional<Vec3> to;  // where its centre of mass goes, m
   double length = 0.0;     // or how far it goes along the axis, m
   double scale = 1.0;

@@ -86,7 +86,7 @@ bool pushOut(const DistanceField& body, const std::vector<const Plane*>& plane_o
       Distance& known = worst[mesh.triangles(i / kSamples, k)];
       if (kWeights[i % kSamples][k] > 0.0 && lacks[i].value > known.value) known = lacks[i];
     }
-  constexpr double kOvershoot = 1e-4;  // m: or the last micrometres would take for ever
+  constexpr double kOvershoot = 1e-4;  // m: without it the last micrometres would take many rounds
   bool has_moved = false;
   for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) {
     if (worst[v].value <= 0.0) continue;

@@ -1,4 +1,5 @@
-// Last touches to a garment's mesh: on its exact surface, its boundary in the cutting planes, clear of the body.
+// Moves the vertices of a garment onto its exact surface, its boundary into the cutting planes, and both clear of the
+// body.
 #pragma once
 
 #include <vector>

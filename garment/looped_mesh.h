@@ -1,4 +1,4 @@
-// An open mesh whose boundary is named loops: what the tools make, one after the other.
+// An open mesh with named boundary loops, on which the garment tools work one after the other.
 #pragma once
 
 #include <string>

@@ -16,13 +16,13 @@ struct MeshQuality {
   double share_from_20_deg = 0.0;  // of triangles, smallest angle 20 degrees or more
   double shortest_edge_m = 0.0, mean_edge_m = 0.0, longest_edge_m = 0.0;
   int self_intersections = 0;  // pairs of triangles that cross
-  double vertex_distance_m = 0.0, midpoint_distance_m = 0.0, centroid_distance_m = 0.0;  // least, to the body
+  double vertex_distance_m = 0.0, midpoint_distance_m = 0.0, centroid_distance_m = 0.0;  // smallest, to the body
   double nearest() const { return std::min({vertex_distance_m, midpoint_distance_m, centroid_distance_m}); }
   int too_near = 0;  // vertices, midpoints and centroids nearer than the comfort offset by more than 0.01 mm
 };
 
-/// What speaks against a mesh, one line each; empty for a sound one: triangles that cross each other, angles below 5
-/// degrees, places nearer to the body than comfort asks for.
+/// Describes the flaws of a mesh, one line each; empty if there are none: triangles that cross each other, angles below
+/// 5 degrees, places nearer to the body than comfort asks for.
 std::vector<std::string> flawsOf(const MeshQuality& quality);
 
 /// `offsets`: comfort at every vertex, m.

@@ -10,8 +10,8 @@ namespace ease {
 
 namespace {
 
-/// A loop named by where it is must lead the next one by this share of the mesh's diagonal.
-constexpr double kLeastLead = 0.01;
+/// A loop named by its side must lie further out than any other by this share of the mesh's diagonal.
+constexpr double kMinLead = 0.01;
 
 Vec3 meanOf(const Positions& positions, const std::vector<int>& loop) {
   Vec3 sum = Vec3::Zero();
@@ -52,7 +52,7 @@ const std::vector<int>& findLoop(const Topology& topology, const Positions& posi
   for (std::size_t l = 0; l < loops.size(); ++l) reach.emplace_back(-meanOf(positions, loops[l]).dot(direction), l);
   std::ranges::sort(reach);
   const double size = (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
-  if (loops.size() > 1 && reach[1].first - reach[0].first < kLeastLead * size) {
+  if (loops.size() > 1 && reach[1].first - reach[0].first < kMinLead * size) {
     throw InputError(fmt::format("boundary loop \"{}\" is ambiguous: loops {} and {} lie equally far; {}", where,
                                  reach[0].second, reach[1].second, describeLoops(topology, positions)));
   }

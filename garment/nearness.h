@@ -1,4 +1,4 @@
-// Points that are to lie on a surface, or nearly so: far from it, the nearest place would be any.
+// Rejects points so far from a surface that projecting them onto it would be arbitrary.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace ease {
 /// Distance from `x` to the nearest triangle of a mesh, m.
 double distanceTo(const TriangleMesh& mesh, const Vec3& x);
 
-/// How far from a surface a point may lie, m: one on a line, or one that says only which part is meant.
+/// How far from a surface a point may lie, m: a point of a line on it, and a point that only tells which part is meant.
 inline constexpr double kNearLine = 0.1, kNearPart = 0.2;
 
 /// Throws InputError where `x` is more than `farthest` (m) from the mesh: "WHAT = [x, y, z] is D m from WHERE: ...".

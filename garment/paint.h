@@ -1,4 +1,4 @@
-// Tool 3: more cloth here, less there, as a scale factor of every triangle's rest shape.
+// Tool 3: paints where the garment has more or less cloth, as a scale factor of each triangle's rest shape.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace ease {
 
-/// How many times as long each triangle's rest edges are to be: the brushes' values, faded to 1, multiplied.  Throws
-/// InputError, naming its place in the list, where a brush touches no triangle.
+/// Scale factor of each triangle's rest edges: the product of the brushes' values, each faded to 1 at its rim.  Throws
+/// InputError naming the number of a brush that touches no triangle.
 std::vector<double> paintedScales(const TriangleMesh& garment, const std::vector<Brush>& brushes);
 
-/// The factors that lead from one painting to another; either may be empty, nothing painted, and so are equal ones'.
+/// Factors after / before of two paintings; an empty one means that nothing is painted.  Empty if both are equal.
 std::vector<double> paintBetween(const std::vector<double>& before, const std::vector<double>& after);
 
 }  // namespace ease

@@ -8,9 +8,9 @@
 namespace ease {
 
 struct Pieces {
-  TriangleMesh mesh;       // same triangles in the same order; vertices on seams once for each side
-  std::vector<int> glue;   // of every vertex, the one of the whole garment that it is
-  std::vector<int> piece;  // of every triangle, counted from 0 in the order of their first triangles
+  TriangleMesh mesh;       // the garment's triangles in their order; a vertex on a seam occurs once for each side
+  std::vector<int> glue;   // for each vertex of the pieces, the garment's vertex that it came from
+  std::vector<int> piece;  // for each triangle, the number of its piece; pieces are numbered by their first triangle
   int count = 0;
 };
 

@@ -1,6 +1,6 @@
 // Cutting a triangle mesh with a plane.
 //
-//      \   /\   /           the triangles that cross the plane are cut along it, those beyond it go
+//      \   /\   /           triangles across the plane are cut along it, those beyond it removed
 //     --\-/--\-/--  plane   vertices nearly on the plane are moved onto it, so that no slivers arise
 //        v    v
 #pragma once
@@ -11,15 +11,15 @@ namespace ease {
 
 struct Plane {
   Vec3 point;   // m
-  Vec3 normal;  // unit; points to what goes
+  Vec3 normal;  // unit; points to the side that is removed
 };
 
-/// Signed distance to the plane, m, positive on the side that goes.
+/// Signed distance to the plane, m, positive on the side that is removed.
 inline double planeDistance(const Plane& plane, const Vec3& x) {
   return plane.normal.dot(x - plane.point);
 }
 
-/// What lies behind the plane.  Vertices within `snap` (m) of the plane are moved onto it.
+/// Returns the part of the mesh behind the plane.  Vertices within `snap` (m) of the plane are moved onto it.
 TriangleMesh cutByPlane(const TriangleMesh& mesh, const Plane& plane, double snap);
 
 }  // namespace ease

@@ -49,7 +49,7 @@ std::vector<char> flood(const Topology& topology, const std::vector<std::vector<
   return is_inside;
 }
 
-/// On how many sides of a loop there is cloth: 0, 1 or 2.
+/// Number of sides of a loop on which there is cloth: 0, 1 or 2.
 int sidesWithCloth(const Topology& topology, const std::vector<int>& loop, const std::vector<char>& is_inside) {
   int most = 0;
   for (const EdgeKey& key : edgesAlong(loop)) {

@@ -1,4 +1,4 @@
-// The part of the body that loops enclose around a point: what becomes cloth.
+// Extracts the part of the body that loops enclose around a point: the part that becomes cloth.
 #pragma once
 
 #include <vector>

@@ -25,7 +25,7 @@ using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using SurfaceMesh = CGAL::Surface_mesh<Point>;
 
 constexpr int kIterations = 4;
-constexpr int kFewestInLoop = 8;  // boundary vertices: fewer cannot pass around an arm
+constexpr int kMinLoopVertices = 8;  // boundary vertices: fewer cannot pass around an arm
 
 SurfaceMesh toSurfaceMesh(const TriangleMesh& mesh) {
   SurfaceMesh surface;
@@ -60,7 +60,7 @@ void splitBoundary(SurfaceMesh& surface, double edge_length) {
   processing::split_long_edges(boundary, edge_length, surface);
 }
 
-/// Thins the boundary loop of `start` to vertices about `edge_length` apart, at least kFewestInLoop: the vertices
+/// Thins the boundary loop of `start` to vertices about `edge_length` apart, at least kMinLoopVertices: the vertices
 /// between two that stay are merged into the first of them.
 void thinLoop(SurfaceMesh& surface, SurfaceMesh::Halfedge_index start, double edge_length) {
   std::vector<SurfaceMesh::Vertex_index> loop;
@@ -71,7 +71,7 @@ void thinLoop(SurfaceMesh& surface, SurfaceMesh::Halfedge_index start, double ed
     place.push_back(length);
     length += std::sqrt(CGAL::squared_distance(surface.point(surface.source(h)), surface.point(surface.target(h))));
   }
-  const double step = length / std::max<double>(kFewestInLoop, std::round(length / edge_length));
+  const double step = length / std::max<double>(kMinLoopVertices, std::round(length / edge_length));
 
   auto kept = loop[0];
   for (size_t i = 1; i < loop.size(); ++i) {

@@ -10,16 +10,16 @@ namespace ease {
 namespace {
 
 constexpr int kPasses = 30;
-constexpr int kRings = 4;        // around the chains, that move with them
-constexpr double kReach = 0.05;  // m: from the surface, at most
+constexpr int kRings = 4;        // rings of vertices around the chains that move with them
+constexpr double kReach = 0.05;  // m: largest distance of a moved vertex from the surface
 
 /// How each vertex moves.
 struct Motion {
-  std::vector<std::vector<int>> mean_of;  // vertices that it goes to the middle of; none: it stays
-  std::vector<int> line;                  // that it goes to; -1: none
+  std::vector<std::vector<int>> mean_of;  // vertices to whose mean it moves; empty: it does not move
+  std::vector<int> line;                  // number of the line that it moves onto; -1: none
 };
 
-/// Vertices of a chain go to the middle of their neighbours in it, and to its line.
+/// Plans that the vertices of a chain move to the middle of their neighbours in the chain, then onto its line.
 void leadChain(const Seam& chain, int line, Motion& motion, std::vector<char>& stays) {
   const std::vector<int>& vertices = chain.vertices;
   const size_t count = vertices.size();
@@ -62,7 +62,7 @@ Motion planMotion(const std::vector<Seam>& seams, const std::vector<Seam>& loops
   return motion;
 }
 
-/// Chains that end on a loop end there where their line does.
+/// Moves the ends of chains that end on a boundary loop to the ends of their lines.
 void moveEnds(const std::vector<Seam>& seams, const std::vector<SeamLine>& lines, const Motion& motion, Positions& x) {
   for (size_t s = 0; s < seams.size(); ++s) {
     if (seams[s].is_closed) continue;

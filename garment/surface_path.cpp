@@ -7,7 +7,8 @@
 namespace ease {
 namespace {
 
-/// A node on the front of the search, soonest first; ties by number, so that the path is the same every time.
+/// A node on the front of the search, smallest estimate first; ties are broken by number, so that paths are
+/// reproducible.
 struct Entry {
   double estimate;  // of the whole path's length, m
   int node;

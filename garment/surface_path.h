@@ -2,7 +2,7 @@
 //
 // Every edge bears four nodes; two nodes are neighbours where they lie on different edges of one triangle.  Shortest
 // paths through such nodes come within about one percent of the shortest ones on the surface (Lanthier, Maheshwari and
-// Sack 2001).  Found by A*, by straight distance to the goal.
+// Sack 2001).  The search is A* with the straight distance to the goal as lower bound.
 #pragma once
 
 #include <optional>
@@ -27,13 +27,13 @@ class SurfacePaths {
   /// The node nearest to `x` (m), anywhere on the mesh or on the edges around a vertex.
   int nearestNode(const Vec3& x) const;
   int nearestNodeOf(int vertex) const;
-  /// The same among nodes of these edges.
+  /// The node nearest to `x` among those of these edges.
   int nearestAmong(const std::vector<int>& edges, const Vec3& x) const;
 
-  /// Nodes from `start` to `goal`, both included; nothing where the two are not connected.
+  /// Nodes of the shortest path from `start` to `goal`, both included; nullopt if the two are not connected.
   std::optional<std::vector<int>> shortest(int start, int goal) const;
 
-  /// The curve through these nodes, where it turns back within a triangle shortened.
+  /// The curve through these nodes; detours within a triangle are cut short.
   EdgeCurve curve(std::vector<int> nodes, bool is_closed) const;
 
  private:

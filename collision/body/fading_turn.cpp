@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kEase = 0.12;  // share of the ramp, at either end, in which its slope changes
 
-/// 0 to 1 over [0, 1]: straight but for parabolas at both ends; largest slope 1 / (1 - kEase).
+/// Rises from 0 to 1 over [0, 1]: linear, with a parabola at either end.  Its largest slope is 1 / (1 - kEase).
 double ramp(double s) {
   if (s <= 0.0) return 0.0;
   if (s >= 1.0) return 1.0;
@@ -17,6 +17,7 @@ double ramp(double s) {
   return (s - 0.5 * kEase) / (1.0 - kEase);
 }
 
+/// Rotation by a share of the turn (axis times angle, rad).
 Eigen::Matrix3d rotation(const Vec3& turn, double share) {
   const double angle = turn.norm();
   if (angle == 0.0) return Eigen::Matrix3d::Identity();
@@ -36,7 +37,7 @@ double turnWeight(const FadingTurn& turn, const Vec3& x) {
 
 Vec3 turned(const FadingTurn& turn, const Vec3& x) {
   const double weight = turnWeight(turn, x);
-  if (weight == 0.0) return x;  // to the last bit
+  if (weight == 0.0) return x;  // exactly
   return turn.joint + rotation(turn.turn, weight) * (x - turn.joint);
 }
 

@@ -13,20 +13,21 @@ namespace ease {
 
 namespace {
 
+/// Rotation matrix of a rotation vector (axis times angle, rad).
 Mat3 rotationMatrix(const Vec3& vector) {
   const double angle = vector.norm();
   if (angle == 0.0) return Mat3::Identity();
   return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
 }
 
-// A plane's frame and its normal.
+/// Completes the orthonormal basis of a plane by its normal.
 Mat3 basis(const Mat32& frame) {
-  Mat3 all;
-  all << frame, frame.col(0).cross(frame.col(1));
-  return all;
+  Mat3 complete;
+  complete << frame, frame.col(0).cross(frame.col(1));
+  return complete;
 }
 
-// Of the vectors that mean the same rotation as `vector`, the one nearest to `other`.
+/// Among the rotation vectors of the same rotation as `vector`, returns the one nearest to `other`.
 Vec3 nearestBranch(const Vec3& vector, const Vec3& other) {
   const double angle = vector.norm();
   const Vec3 axis = angle > 0.0 ? Vec3(vector / angle) : Vec3(other.normalized());
@@ -34,7 +35,7 @@ Vec3 nearestBranch(const Vec3& vector, const Vec3& other) {
   return vector + turns * 2.0 * M_PI * axis;
 }
 
-// Neighbours of each triangle across its edges; -1 where there is none.
+/// Finds the neighbours of each triangle across its edges; -1: there is none.
 std::vector<std::array<int, 3>> triangleNeighbours(const Triangles& triangles) {
   struct HalfEdge {
     int low, high, triangle, corner;
@@ -57,7 +58,7 @@ std::vector<std::array<int, 3>> triangleNeighbours(const Triangles& triangles) {
   return neighbours;
 }
 
-// Number of the connected part of each vertex.
+/// Numbers the connected parts; returns the number of each vertex's part.
 std::vector<int> connectedParts(int vertices, const Triangles& triangles) {
   DisjointSets sets(vertices);
   for (int t = 0; t < triangles.rows(); ++t)
@@ -87,7 +88,7 @@ GradientInterpolation::GradientInterpolation(const Triangles& triangles, const P
     mean_weight += weights[t] * rest_inverse[t].squaredNorm() / m;
   }
   findParts(from, to);
-  // A part is fixed by one vertex; held softly or not makes no difference to its shape, only to the conditioning.
+  // One vertex fixes the position of a part.  The stiffness that holds it affects the conditioning, not the shape.
   for (const Part& part : parts_) diagonal[part.anchor] = mean_weight;
   if (!system_.factor(rest_inverse, weights, diagonal))
     throw ComputationError("pose interpolation: the body's Laplacian is not positive definite");
@@ -102,7 +103,8 @@ void GradientInterpolation::findParts(const Positions& from, const Positions& to
   part_of_ = connectedParts(static_cast<int>(from.rows()), triangles_);
   parts_.resize(*std::max_element(part_of_.begin(), part_of_.end()) + 1);
   for (int v = 0; v < from.rows(); ++v) parts_[part_of_[v]].steady.push_back(v);
-  // Kept, not computed within the comparison: contracted differently on its two sides, equal motions would differ.
+  // Motions are stored, not computed in the comparison: the compiler may fuse operations differently on its two sides,
+  // and equal motions would compare as different.
   std::vector<std::pair<double, int>> motion(from.rows());
   for (int v = 0; v < from.rows(); ++v) motion[v] = {(to.row(v) - from.row(v)).squaredNorm(), v};
   for (Part& part : parts_) {
@@ -124,7 +126,7 @@ void GradientInterpolation::findRotations(const Positions& to, std::span<const M
   parallelFor(m, 256, [&](int t) {
     const Mat32 edges = edgeMatrix(to, triangles_, t), gradient = edges * rest_inverse[t];
     const Mat32 frame = planeFrame(edges, edges.col(0));
-    // The normal goes to the normal, never a reflection; within the plane, the nearest rotation has a closed form.
+    // Normal maps to normal, so that there is never a reflection; the nearest rotation in the plane has a closed form.
     const Mat2 flat = frame.transpose() * gradient;
     const double angle = std::atan2(flat(1, 0) - flat(0, 1), flat(0, 0) + flat(1, 1));
     const Mat3 R = basis(frame * Eigen::Rotation2Dd(angle).toRotationMatrix()) * basis(frames_[t]).transpose();

@@ -2,13 +2,13 @@
 //
 // Every triangle turns and stretches on its own: its deformation gradient from the first pose to the second is R S
 // (rotation, symmetric stretch), and at s in [0, 1] it is exp(s log R) ((1 - s) I + s S).  The vertices whose triangle
-// gradients are nearest to these solve the gradient system (gradient_system.h).  Both poses come out exactly at their
-// ends.
+// gradients are nearest to these solve the gradient system (gradient_system.h).  At s = 0 and s = 1 the result is
+// exactly the given pose.
 //
-// Rotation vectors near a half turn are ambiguous; each triangle takes the branch nearest to a neighbour's, spreading
+// Rotation vectors near a half turn are ambiguous.  Each triangle takes the one nearest to a neighbour's, spreading
 // from the triangle that turns least, so that the surface does not tear where an arm turns by more than 180 degrees.
 //
-// A pose costs a rotation a triangle and a solve; many between the same two come from a few (pose_interpolation.h).
+// A pose costs a rotation a triangle and a solve; pose_interpolation.h makes many poses from a few of these.
 #pragma once
 
 #include "solver/linear/gradient_system.h"
@@ -17,33 +17,37 @@ namespace ease {
 
 class GradientInterpolation {
  public:
-  /// Factors.  `ordering`: of the body's systems, or empty.  Throws ComputationError.
+  /// Factors the system.  `ordering`: an elimination ordering (systemOrdering()), or empty to compute one.  Throws
+  /// ComputationError if the system is not positive definite.
   GradientInterpolation(const Triangles& triangles, const Positions& from, const Positions& to,
                         std::span<const int> ordering = {});
 
-  /// The body at s in [0, 1], m.
+  /// Computes the vertices at s in [0, 1], m.
   void at(double s, Positions& x);
 
-  /// By which a triangle turns the most, radians; beyond pi where it was unwound.
+  /// Largest rotation of a triangle, radians; may be above pi.
   double largestTurn() const;
 
  private:
+  /// Finds the connected parts and how each moves as a whole.
   void findParts(const Positions& from, const Positions& to);
+  /// Computes rotation and stretch of each triangle.
   void findRotations(const Positions& to, std::span<const Mat2> rest_inverse);
+  /// Chooses among the rotation vectors of the same rotation the one nearest to a neighbour's.
   void unwindRotations(const Triangles& triangles);
 
   struct Part {
     int anchor;               // vertex that moves least
-    std::vector<int> steady;  // the half of its vertices that moves least: its mean goes straight
-    Vec3 from, to;            // that mean at either end
+    std::vector<int> steady;  // the half of its vertices that moves least; their mean moves in a straight line
+    Vec3 from, to;            // that mean in either pose, m
   };
 
   Triangles triangles_;
   Positions from_, to_;
   GradientSystem system_;
-  std::vector<int> part_of_;      // of each vertex
-  std::vector<Part> parts_;       // connected
-  std::vector<Mat32> frames_;     // of each triangle in the first pose: orthonormal, 3x2
+  std::vector<int> part_of_;      // number of the part of each vertex
+  std::vector<Part> parts_;       // connected parts of the surface
+  std::vector<Mat32> frames_;     // orthonormal basis of each triangle's plane in the first pose, 3x2
   std::vector<Vec3> rotations_;   // rotation vectors, radians
   std::vector<Mat32> stretches_;  // S times frame
   std::vector<Mat32> targets_;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "collision/body/surface_relaxation.h"
 #include "solver/base/parallel.h"
 
 namespace ease {
@@ -13,12 +14,14 @@ constexpr int kLeaf = 8;  // voxels along the edge of a leaf of the grid
 
 using Leaf = openvdb::FloatTree::LeafNodeType;
 
+/// Position of a voxel's sample, m.
 Vec3 toWorld(const openvdb::Coord& voxel, double size) {
   // Samples lie half a voxel off the planes x = 0 and y = 0, so that a symmetric shape is sampled symmetrically.
   return size * Vec3(voxel.x() + 0.5, voxel.y() + 0.5, voxel.z() + 0.5);
 }
 
-/// Leaves of the box that the surface may pass through; the others become tiles of constant sign in `grid`.
+/// Finds the leaves of the box that the surface may pass through; the other leaves become tiles of constant sign in
+/// `grid`.
 std::vector<openvdb::Coord> findLeaves(const DistanceField& field, const Vec3& lower, const Vec3& upper, double voxel,
                                        openvdb::FloatGrid& grid) {
   const double size = kLeaf * voxel;
@@ -32,7 +35,7 @@ std::vector<openvdb::Coord> findLeaves(const DistanceField& field, const Vec3& l
   parallelFor(static_cast<int>(distances.size()), 32,
               [&](int i) { distances[i] = field(toWorld(corner(i).offsetBy(kLeaf / 2), voxel)).value; });
 
-  // Half the diagonal of a leaf, grown by two voxels for its neighbours' sake and a third for slopes above one.
+  // Half the diagonal of a leaf, plus two voxels for samples of neighbouring leaves, times 1.3 for slopes above one.
   const double reach = 1.3 * (0.5 * std::sqrt(3.0) * kLeaf + 2.0) * voxel;
   std::vector<openvdb::Coord> leaves;
   for (size_t i = 0; i < distances.size(); ++i) {
@@ -45,6 +48,7 @@ std::vector<openvdb::Coord> findLeaves(const DistanceField& field, const Vec3& l
   return leaves;
 }
 
+/// Samples the field in all leaves that the surface may pass through.
 openvdb::FloatGrid::Ptr sampleField(const DistanceField& field, const Vec3& lower, const Vec3& upper, double voxel) {
   auto grid = openvdb::FloatGrid::create(static_cast<float>(kLeaf * voxel));
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
@@ -60,9 +64,9 @@ openvdb::FloatGrid::Ptr sampleField(const DistanceField& field, const Vec3& lowe
   return grid;
 }
 
-/// Squared length of a diagonal of a quad.
-double diagonal(const Positions& positions, const openvdb::Vec4I& quad, int from) {
-  return (positions.row(quad[from]) - positions.row(quad[from + 2])).squaredNorm();
+/// Squared length of the diagonal of a quad from corner k, m^2.
+double diagonal(const Positions& positions, const openvdb::Vec4I& quad, int k) {
+  return (positions.row(quad[k]) - positions.row(quad[k + 2])).squaredNorm();
 }
 
 }  // namespace

@@ -1,16 +1,16 @@
-// The zero surface of a signed distance as evenly sized, well-shaped triangles.
+// Meshes the surface where a signed distance is zero with evenly sized, well-shaped triangles.
 //
-// Sampled on an OpenVDB grid near the surface, cut into polygons by its volumeToMesh, then relaxed on the exact
-// surface.
+// The distance is sampled on an OpenVDB grid near the surface; OpenVDB's volumeToMesh makes polygons of it, which are
+// divided into triangles and relaxed on the exact surface (surface_relaxation.h).
 #pragma once
 
-#include "collision/body/surface_relaxation.h"
+#include "collision/body/distance_field.h"
 
 namespace ease {
 
-/// The surface where `field` is zero within the box from `lower` to `upper` (m), sampled every `voxel` (m), which is
-/// about the length of the edges.  Closed if the surface is; oriented outwards.  The field's slope must not be much
-/// above one; details thinner than two voxels may be lost.
+/// Meshes the surface `field` = 0 within the box from `lower` to `upper` (m).  `voxel`: distance between samples and
+/// about the length of the edges, m.  The mesh is oriented outwards, and closed if the surface is.  The length of the
+/// field's gradient must not be much above one.  Details thinner than two voxels may be lost.
 TriangleMesh isoSurface(const DistanceField& field, const Vec3& lower, const Vec3& upper, double voxel);
 
 }  // namespace ease

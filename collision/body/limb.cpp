@@ -18,8 +18,9 @@ Limb taperedLimb(const Vec3& a, const Vec3& b, double radius_a, double radius_b,
   limb.tangent = limb.sine / std::sqrt(1.0 - limb.sine * limb.sine);
   limb.middle = 0.5 * (a + b);
   limb.enclosing = 0.5 * (b - a).norm() + std::max(radius_a, radius_b);
-  // Far off, |S x|^2 / |S^2 x| stands for |x|, where S stretches space: by Kantorovich's inequality at least this much.
-  limb.least = 2.0 * q / (1.0 + q * q);
+  // Far from the limb, limbDistance() is about |S x|^2 / |S^2 x|, where S stretches space.  By Kantorovich's inequality
+  // that is at least |x| times this ratio.
+  limb.min_ratio = 2.0 * q / (1.0 + q * q);
   return limb;
 }
 
@@ -29,7 +30,8 @@ Distance limbDistance(const Limb& limb, const Vec3& x) {
   const double along = from_a.dot(limb.direction);
   const double across = std::sqrt(std::max(0.0, from_a.squaredNorm() - along * along));
 
-  // The sphere that is nearest to x: its centre lies where the cone's normal through x meets the axis.
+  // The cone is a union of spheres.  The centre of the one nearest to x lies where the cone's normal through x meets
+  // the axis.
   const double centre = std::clamp(along - across * limb.tangent, 0.0, limb.length);
   const double radius = limb.radius_a - limb.sine * centre;
   const Vec3 from_centre = from_a - centre * limb.direction;
@@ -37,12 +39,12 @@ Distance limbDistance(const Limb& limb, const Vec3& x) {
   if (reach == 0.0) return {-radius, Vec3::UnitY()};
 
   const Vec3 stretched = from_centre + limb.excess * limb.thin.dot(from_centre) * limb.thin;
-  const double steepness = stretched.norm();  // times reach
+  const double steepness = stretched.norm();  // multiplied by reach
   return {(reach - radius) * reach / steepness, stretched / steepness};
 }
 
 bool isFurther(const Limb& limb, const Vec3& x, double distance) {
-  const double radius = std::max(0.0, distance) / limb.least + limb.enclosing;
+  const double radius = std::max(0.0, distance) / limb.min_ratio + limb.enclosing;
   return (x - limb.middle).squaredNorm() > radius * radius;
 }
 

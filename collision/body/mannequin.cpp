@@ -25,7 +25,7 @@ struct ArmPose {
   Vec3 clavicle, shoulder, elbow;
 };
 
-// Of a raised arm's angle about a third comes from the collar bone and the shoulder blade, as in people.
+/// Collar bone and shoulder blade contribute about a third of a raised arm's angle, as in people.
 const std::vector<ArmPose> kPoses = {
     {"t", {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
     {"a", {0, 0, -6}, {0, -6, -40}, {0, -12, 0}},
@@ -33,7 +33,7 @@ const std::vector<ArmPose> kPoses = {
     {"front", {0, -26, 0}, {0, -60, -2}, {0, -3, 0}},
 };
 
-/// The joints from the trunk outwards, each in its place in the T-pose.
+/// Turns of the joints from the trunk outwards; each joint is at its place in the T-pose.
 std::vector<FadingTurn> armTurns(const ArmPose& pose) {
   using namespace mannequin_joints;
   const Vec3 outwards = Vec3::UnitX();
@@ -44,18 +44,19 @@ std::vector<FadingTurn> armTurns(const ArmPose& pose) {
   };
 }
 
-/// A point of the left half of the T-pose in another pose, the turns going from the trunk outwards.
+/// Moves a point of the left half of the T-pose by the turns, from the trunk outwards.
 Vec3 posed(const std::vector<FadingTurn>& turns, const Vec3& x) {
   Vec3 y = x;
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   for (const FadingTurn& turn : turns) {
-    const FadingTurn here = movedTurn(motion, turn);
-    y = turned(here, y);
-    motion = wholeTurn(here) * motion;
+    const FadingTurn moved = movedTurn(motion, turn);
+    y = turned(moved, y);
+    motion = wholeTurn(moved) * motion;
   }
   return y;
 }
 
+/// The T-pose, made once.
 const TriangleMesh& restMannequin() {
   static const TriangleMesh mesh =
       isoSurface(mannequinDistance, Vec3(-0.95, -0.08, -0.25), Vec3(0.95, 1.78, 0.25), kVoxel);

@@ -1,11 +1,11 @@
-// The mannequin in its T-pose as an implicit shape: a smooth union of limbs, the same left and right.
+// The mannequin in its T-pose as an implicit shape: a smooth union of limbs, symmetric about the plane x = 0.
 #pragma once
 
 #include "collision/body/limb.h"
 
 namespace ease {
 
-/// Where the left arm's joints and the body's landmarks lie in the T-pose, m.
+/// Positions of the left arm's joints in the T-pose, m.
 namespace mannequin_joints {
 inline const Vec3 kClavicle{0.02, 1.395, 0.0};
 inline const Vec3 kShoulder{0.17, 1.385, -0.01};
@@ -13,8 +13,8 @@ inline const Vec3 kElbow{0.435, 1.385, -0.01};
 inline const Vec3 kWrist{0.675, 1.385, 0.0};
 }  // namespace mannequin_joints
 
-/// Signed distance to the mannequin's T-pose, m, negative inside; never more than the true distance outside but for
-/// the first-order error of limbDistance().
+/// Signed distance to the mannequin's T-pose, m, negative inside.  Outside it is a lower bound of the true distance,
+/// but for the first-order error of limbDistance().
 Distance mannequinDistance(const Vec3& x);
 
 }  // namespace ease

@@ -10,16 +10,16 @@ namespace ease {
 
 namespace {
 
-constexpr double kError = 1e-10;  // of the polynomial, as part of the body's size
+constexpr double kError = 1e-10;  // bound of the polynomial's error, as a share of the body's size
 
-// The least for a turn by `theta`, radians.
+/// Smallest degree whose error is below kError for a turn by `theta`, radians.
 int polynomialDegree(double theta) {
   int n = 1;
   for (double error = 2.0 * theta / 4.0; error > kError; error *= theta / (4.0 * n)) ++n;
   return n;
 }
 
-// What each pose counts for at s, which is none of the points: 1 in all.
+/// Weights of the poses at s; their sum is 1.  s must not be one of the points.
 std::vector<double> barycentricCoefficients(const std::vector<double>& points, double s) {
   const size_t n = points.size() - 1;
   std::vector<double> coefficients(n + 1);
@@ -55,7 +55,7 @@ void PoseInterpolation::at(double s, Positions& x) const {
   }
   const std::vector<double> coefficients = barycentricCoefficients(points_, s);
   x.resize(poses_.front().rows(), 3);
-  // Blocks that stay in the nearest cache, the same for any number of threads.
+  // Blocks fit into the first-level cache; their division does not depend on the number of threads.
   constexpr int kBlock = 1024;
   const int count = static_cast<int>(x.size());
   parallelFor((count + kBlock - 1) / kBlock, 1, [&](int b) {

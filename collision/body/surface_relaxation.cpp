@@ -1,9 +1,11 @@
 #include "collision/body/surface_relaxation.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "solver/base/parallel.h"
 #include "solver/mesh/topology.h"
@@ -12,7 +14,7 @@ namespace ease {
 namespace {
 
 constexpr int kPassesPerFlip = 3;
-constexpr double kGlide = 0.5;  // share of the way to the middle of the neighbours
+constexpr double kGlide = 0.5;  // share of the way to the middle of the neighbours that a vertex moves in a pass
 
 double cotangent(const Positions& positions, int apex, int a, int b) {
   const Vec3 u = positions.row(a) - positions.row(apex), v = positions.row(b) - positions.row(apex);
@@ -39,7 +41,7 @@ void flipToDelaunay(TriangleMesh& mesh, const Topology& topology) {
     if (edge.isBoundary() || changed[edge.triangle[0]] || changed[edge.triangle[1]]) continue;
     const auto [a, b] = edge.vertex;
     const auto [c, d] = edge.opposite;
-    constexpr double kSlack = 1e-6;  // leaves rectangles alone, which either diagonal suits
+    constexpr double kSlack = 1e-6;  // leaves rectangles alone: both of their diagonals are Delaunay
     if (cotangent(mesh.positions, c, a, b) + cotangent(mesh.positions, d, a, b) >= -kSlack) continue;
     const std::array<int, 2> diagonal = {std::min(c, d), std::max(c, d)};
     if (hasEdge(topology, diagonal) || !created.insert(diagonal).second) continue;
@@ -49,7 +51,7 @@ void flipToDelaunay(TriangleMesh& mesh, const Topology& topology) {
   }
 }
 
-/// Neighbours of every vertex; empty for those on the boundary.
+/// Lists the neighbours of every inner vertex; boundary vertices get an empty list.
 std::vector<std::vector<int>> innerNeighbours(const Topology& topology, int vertices) {
   std::vector<std::vector<int>> neighbours = vertexNeighbours(topology, vertices);
   for (const std::vector<int>& loop : topology.boundary_loops)
@@ -85,7 +87,7 @@ void relaxOnSurface(const DistanceField& field, int passes, TriangleMesh& mesh) 
       const Vec3 x = mesh.positions.row(v), normal = normals.row(v);
       const Vec3 glide = kGlide * (middle / neighbours[v].size() - x);
       const Vec3 glided = x + glide - normal.dot(glide) * normal;
-      // One step back to the surface is enough on the way: what it leaves is of second order in the glide.
+      // One step back to the surface is enough between passes: the error left is of second order in the glide.
       const Distance d = field(glided);
       moved.row(v) = glided - d.value / d.gradient.squaredNorm() * d.gradient;
       normals.row(v) = d.gradient.normalized();

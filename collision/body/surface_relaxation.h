@@ -1,22 +1,17 @@
-// Better triangles on a surface that is known exactly: vertices glide along it to the middle of their neighbours, and
-// edges flip to be Delaunay (the two angles opposite to an edge sum to at most 180 degrees).
+// Improves the triangles of a mesh on a surface that is known exactly: vertices glide along the surface to the middle
+// of their neighbours, and edges flip to be Delaunay (the two angles opposite to an edge sum to at most 180 degrees).
 #pragma once
 
-#include <functional>
-#include <vector>
-
-#include "collision/body/limb.h"
+#include "collision/body/distance_field.h"
 #include "solver/mesh/triangle_mesh.h"
 
 namespace ease {
 
-using DistanceField = std::function<Distance(const Vec3&)>;
-
-/// Moves `x` onto the surface where `field` is zero, along its gradient.
+/// Returns the point where the surface `field` = 0 is reached from `x` along the gradient.
 Vec3 ontoSurface(const DistanceField& field, const Vec3& x);
 
-/// Improves a mesh of the field's zero surface by `passes` of gliding, with flips between them.  The boundary stays as
-/// it is.
+/// Improves a mesh of the surface `field` = 0 by `passes` rounds of gliding, with flips between them.  Boundary
+/// vertices do not move.
 void relaxOnSurface(const DistanceField& field, int passes, TriangleMesh& mesh);
 
 }  // namespace ease

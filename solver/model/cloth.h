@@ -24,7 +24,6 @@ class Cloth {
 
   /// Replaces the rest shape and everything computed from it.  The flat edges carry the grain.
   void setRest(const RestShape& rest);
-  void setRest(const Positions& positions, const std::vector<Mat2>& edges) { setRest(RestShape{positions, edges}); }
 
   /// Replaces the rest shape, and makes it the one from which growth is counted.
   void setFirst(const RestShape& first);

@@ -67,16 +67,4 @@ class ContactSamples {
   const Triangles& triangles_;
 };
 
-/// Positions of all samples, m.
-inline void sampleCloth(const Positions& x, const Triangles& triangles, const std::vector<Edge>& edges,
-                        std::vector<Vec3>& samples) {
-  ContactSamples(static_cast<int>(x.rows()), edges, triangles).positions(x, samples);
-}
-
-/// Comfort offsets of all samples, m: the means of their corners' offsets.
-inline void sampleOffsets(std::span<const double> vertex_offsets, const Triangles& triangles,
-                          const std::vector<Edge>& edges, std::vector<double>& offsets) {
-  ContactSamples(static_cast<int>(vertex_offsets.size()), edges, triangles).values(vertex_offsets, offsets);
-}
-
 }  // namespace ease

@@ -41,7 +41,7 @@ void shrinkAround(Cloth& cloth, double factor) {
   rest.col(2) /= factor;
   std::vector<Mat2> edges = cloth.restEdges();
   for (Mat2& D : edges) D.row(1) /= factor;  // weft: around
-  cloth.setRest(rest, edges);
+  cloth.setRest({rest, edges});
 }
 
 // Lengths of all rings at rest: their weft edges.
@@ -64,13 +64,13 @@ class Cylinder {
  public:
   Cylinder(const Cloth& cloth, const Positions& x, double radius)
       : cloth_(cloth), mesh_(cylinder(radius)), body_(mesh_.triangles, {mesh_.positions}, 1, {}) {
-    sampleCloth(x, cloth.triangles(), cloth.topology().edges, samples_);
+    cloth.samples().positions(x, samples_);
     body_.prepare(0, samples_);
   }
 
   FindContacts contacts() {
     return [this](const Positions& x, Contacts& contacts) {
-      sampleCloth(x, cloth_.triangles(), cloth_.topology().edges, samples_);
+      cloth_.samples().positions(x, samples_);
       finder_.find(body_.at(0.0), samples_, std::vector<double>(samples_.size(), kOffset), 0.01, contacts);
     };
   }

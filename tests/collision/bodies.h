@@ -19,7 +19,7 @@ inline TriangleMesh meshOf(const std::vector<Vec3>& vertices, const std::vector<
   return mesh;
 }
 
-/// Twelve triangles.
+/// A box of twelve triangles.
 inline TriangleMesh box(const Vec3& low, const Vec3& high) {
   std::vector<Vec3> vertices;
   for (int v = 0; v < 8; ++v)
@@ -38,8 +38,8 @@ inline TriangleMesh box(const Vec3& low, const Vec3& high) {
                            {1, 7, 5}});
 }
 
-/// Around the axis from (0, -half_length, 0) to (0, half_length, 0); a sphere for half_length 0.  `rings`: strips of
-/// triangles on each half sphere; those on the tube are as wide.
+/// A capsule around the axis from (0, -half_length, 0) to (0, half_length, 0); a sphere for half_length 0.  `rings`:
+/// strips of triangles on each half sphere; those on the tube are as wide.
 inline TriangleMesh capsule(double half_length, double radius, int rings) {
   const int around = 4 * rings;
   std::vector<Vec3> vertices = {{0.0, -half_length - radius, 0.0}};
@@ -90,7 +90,7 @@ inline TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
   return mesh;
 }
 
-/// What a closed surface encloses, m^3.
+/// Volume that a closed surface encloses, m^3.
 inline double volume(const TriangleMesh& mesh) {
   double sum = 0.0;
   for (int t = 0; t < mesh.triangles.rows(); ++t) {
@@ -101,7 +101,7 @@ inline double volume(const TriangleMesh& mesh) {
   return sum;
 }
 
-/// Of all triangles, degrees.
+/// Smallest angle over all triangles, degrees.
 inline double smallestAngle(const TriangleMesh& mesh) {
   double least = 180.0;
   for (int t = 0; t < mesh.triangles.rows(); ++t)
@@ -114,7 +114,7 @@ inline double smallestAngle(const TriangleMesh& mesh) {
   return least;
 }
 
-/// Points spread evenly and irregularly over a box; the same for every run.
+/// Points spread evenly but irregularly over a box; every run gets the same points.
 inline std::vector<Vec3> pointsIn(const Vec3& low, const Vec3& high, int count) {
   std::vector<Vec3> points(count);
   for (int i = 0; i < count; ++i) {
@@ -134,7 +134,7 @@ inline double distanceToCapsule(const Vec3& x, double half_length, double radius
   return (x - Vec3(0.0, std::clamp(x[1], -half_length, half_length), 0.0)).norm() - radius;
 }
 
-/// Of the union of two spheres of one radius around the points (+-offset, 0, 0).
+/// Signed distance to the union of two spheres of equal radius around the points (+-offset, 0, 0).
 inline double distanceToTwoSpheres(const Vec3& x, double offset, double radius) {
   const Vec3 mirrored(std::abs(x[0]), x[1], x[2]);  // nearer to the sphere on the right
   const Vec3 from_centre = mirrored - Vec3(offset, 0.0, 0.0);

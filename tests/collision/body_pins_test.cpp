@@ -11,7 +11,7 @@ using namespace ease;
 
 namespace {
 
-/// Pins' places while the body moves in a straight line from `at` to `towards`.
+/// Positions of the pins when the body has moved by the share tau in a straight line from `at` to `towards`.
 std::vector<Vec3> placesOf(const std::vector<BodyTie>& pins, const Triangles& triangles, const Positions& at,
                            const Positions& towards, double tau) {
   std::vector<Vec3> places;

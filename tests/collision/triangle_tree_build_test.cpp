@@ -1,8 +1,9 @@
-// What building a tree promises to those who search it (triangle_tree_data.h).
+// Checks the layout of a built tree, on which the searches rely (triangle_tree_data.h).
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "collision/triangle_tree_data.h"
+#include "solver/energy/lanes.h"
 #include "tests/collision/bodies.h"
 
 using namespace ease;
@@ -18,7 +19,7 @@ TriangleMesh partOfSphere(int triangles) {
   return mesh;
 }
 
-/// All in one place, so that nothing but their numbers tells them apart.
+/// Triangles that all lie in one place, so that only their numbers tell them apart.
 TriangleMesh pile(int triangles) {
   TriangleMesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   mesh.triangles = Triangles(mesh.triangles.replicate(triangles, 1));
@@ -29,7 +30,7 @@ TriangleTree treeOf(const TriangleMesh& mesh) {
   return TriangleTree(mesh.positions, mesh.triangles);
 }
 
-/// What a child's own box is.
+/// The box stored in a child itself.
 FloatBox boxOf(const TriangleTree::Data& tree, int child) {
   if (child < 0) return tree.leaves[~child].box;
   const TreeNode& node = tree.nodes[child];
@@ -174,4 +175,14 @@ TEST_CASE("a vertex's fan is the triangles that hold it, neighbours are those ac
     }
   CHECK(borders > 0);
   CHECK(borders < 300);
+}
+
+TEST_CASE("lanes of the tree and of the energies serve in one file without being mixed up") {
+  const FloatLanes squared = {4.0f, 9.0f, 1.0f, 16.0f, 25.0f, 36.0f, 49.0f, 64.0f};
+  const Column<double> column{0.0, 3.0, 4.0};
+  const NearLanes found = nearLanes(squared, static_cast<float>(dot(column, column)) - 9.0f);
+  CHECK(found.near == (kLaneBit[0] | kLaneBit[1] | kLaneBit[2] | kLaneBit[3]));
+  CHECK(found.smallest == 2u);
+  CHECK(floatMax(squared[0], squared[1]) == 9.0f);
+  CHECK(floatMin(squared[0], squared[1]) == 4.0f);
 }

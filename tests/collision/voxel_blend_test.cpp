@@ -51,7 +51,7 @@ TEST_CASE("the distance to a plane is blended exactly") {
   CHECK(found.closest == 4);
 }
 
-TEST_CASE("distance and normal are the sums of the formula, whatever the corners hold") {
+TEST_CASE("distance and normal are the sums of the formula, for any values at the corners") {
   const auto phi = [](const Vec3& p) { return 0.01 * std::sin(130.0 * p.x() + 210.0 * p.y() - 170.0 * p.z()); };
   const auto gradient = [](const Vec3& p) {
     return Vec3(1.0, 0.3 * std::sin(90.0 * p.y()), 0.3 * std::cos(70.0 * p.x() + p.z())).normalized();

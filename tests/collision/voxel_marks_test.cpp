@@ -43,7 +43,7 @@ TEST_CASE("exactly the corners of the voxels around the points are marked") {
   CHECK(cornersOf(marks) == expected);
 }
 
-TEST_CASE("what was marked before is forgotten") {
+TEST_CASE("marking clears earlier marks") {
   VoxelMarks marks;
   marks.mark(pointsIn(Vec3::Constant(-2.0), Vec3::Constant(2.0), 200), 0.1, 0.1, kEverywhere);
   marks.mark(std::vector<Vec3>{Vec3::Constant(0.55)}, 0.01, 0.1, kEverywhere);

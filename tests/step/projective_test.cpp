@@ -113,7 +113,7 @@ TEST_CASE("the matrix is factored once, and again when rest shape, time step, da
   CHECK(factors() == 0);
   s.potential.begin(s.state, {0.005});
   CHECK(factors() == 1);
-  s.cloth.setRest(s.cloth.restPositions(), s.cloth.restEdges());
+  s.cloth.setRest(s.cloth.rest());
   s.potential.begin(s.state, {0.005});
   CHECK(factors() == 1);
   CHECK(factors() == 0);

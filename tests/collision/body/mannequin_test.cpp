@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "collision/body/mannequin_shape.h"
-#include "collision/self_overlap.h"
+#include "collision/body_self_overlap.h"
 #include "collision/triangle_tree.h"
 #include "solver/base/error.h"
 #include "solver/mesh/topology.h"
@@ -65,9 +65,9 @@ TEST_CASE("no pose of the mannequin passes through itself") {
     INFO(pose);
     const TriangleMesh body = mannequin(pose);
     const TriangleTree tree(body.positions, body.triangles);
-    const std::vector<unsigned char> all(body.triangles.rows(), 1);
-    SelfOverlap overlap;
-    overlap.find(tree, all);
+    const std::vector<unsigned char> asked(body.triangles.rows(), 1);
+    BodySelfOverlap overlap;
+    overlap.find(tree, asked);
     CHECK(overlap.crossing() == 0);
     CHECK(overlap.buried() == 0);
   }

@@ -11,7 +11,7 @@
 
 namespace ease {
 
-/// A closed limb along x from 0 to 1, each place of it where place(x, y, z) has it.
+/// A closed limb along x from 0 to 1, each point (x, y, z) of it moved to place(x, y, z).
 template <class Place>
 TriangleMesh makeLimbAt(const Place& place) {
   const int around = 12, along = 30;

@@ -1,4 +1,4 @@
-#include "collision/self_overlap.h"
+#include "collision/body_self_overlap.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,7 +18,7 @@ Corners cornersOf(const TriangleTree::Data& tree, int t) {
           tree.positions.row(tree.triangles(t, 2))};
 }
 
-/// Whether the triangles' shadows on the axis lie apart by more than rounding.
+/// Whether the triangles' projections onto the axis lie apart by more than round-off.
 bool separates(const Vec3& axis, const Corners& a, const Corners& b, double slack) {
   const double length = axis.norm();
   const auto [a_low, a_high] = std::minmax({axis.dot(a[0] - a[0]), axis.dot(a[1] - a[0]), axis.dot(a[2] - a[0])});
@@ -26,8 +26,9 @@ bool separates(const Vec3& axis, const Corners& a, const Corners& b, double slac
   return std::max(b_low - a_high, a_low - b_high) > slack * length;
 }
 
-/// Whether two triangles without a common vertex meet: no axis separates them, be it a normal, a product of two edges
-/// or, for coplanar ones, an edge's normal in the plane.  Triangles that touch within rounding count as meeting.
+/// Whether two triangles without a common vertex meet, by the separating axis theorem: the axes are the two normals,
+/// the cross products of two edges and, for coplanar triangles, the edges' normals in the plane.  Triangles that touch
+/// within round-off count as meeting.
 bool meet(const Corners& a, const Corners& b, double slack) {
   const Vec3 normal_a = doubleAreaNormal(a[0], a[1], a[2]), normal_b = doubleAreaNormal(b[0], b[1], b[2]);
   if (separates(normal_a, a, b, slack) || separates(normal_b, a, b, slack)) return false;
@@ -40,7 +41,7 @@ bool meet(const Corners& a, const Corners& b, double slack) {
   return true;
 }
 
-/// Whether the segment from p to q passes through the triangle, its rim included.
+/// Whether the segment from p to q passes through the triangle, its edges included.
 bool pierces(const Vec3& p, const Vec3& q, const Corners& a) {
   const auto volume = [&](const Vec3& s, const Vec3& t) { return (s - p).cross(t - p).dot(q - p); };
   const Vec3 normal = doubleAreaNormal(a[0], a[1], a[2]);
@@ -50,13 +51,14 @@ bool pierces(const Vec3& p, const Vec3& q, const Corners& a) {
   return low >= 0.0 || high <= 0.0;
 }
 
-/// Whether two triangles with one common vertex cross along a segment that starts there: one's opposite edge pierces
-/// the other.  `s_corner`, `t_corner`: where the common vertex is.
+/// Whether two triangles with one common vertex cross along a segment that starts there: then the edge of one triangle
+/// opposite to the vertex pierces the other.  `s_corner`, `t_corner`: the corner of each that is the common vertex.
 bool crossFromVertex(const Corners& s, int s_corner, const Corners& t, int t_corner) {
   return pierces(s[(s_corner + 1) % 3], s[(s_corner + 2) % 3], t) ||
          pierces(t[(t_corner + 1) % 3], t[(t_corner + 2) % 3], s);
 }
 
+/// Whether triangles s and t cross.  Neighbours with a common edge never count as crossing.
 bool cross(const TriangleTree::Data& tree, int s, int t) {
   int common = 0, s_corner = 0, t_corner = 0;
   for (int i = 0; i < 3; ++i)
@@ -71,33 +73,33 @@ bool cross(const TriangleTree::Data& tree, int s, int t) {
   return common == 0 ? meet(a, b, 1e-6 * tree.slack) : crossFromVertex(a, s_corner, b, t_corner);
 }
 
-/// Lanes of `leaf` whose triangles have no vertex in common with triangle k of `other`.  Vertices that differ have bits
-/// that differ; a least difference of zero is a common vertex.
+/// Finds the lanes of `leaf` whose triangles have no vertex in common with triangle k of `other`.  The exclusive or of
+/// two vertex numbers is zero exactly if they are equal, so that a minimum of zero means a common vertex.
 unsigned withoutCommonVertex(const TreeLeaf& leaf, const TreeLeaf& other, int k) {
   const unsigned a = other.vertex[0][k], b = other.vertex[1][k], c = other.vertex[2][k];
-  const auto least = [](unsigned s, unsigned t) { return s < t ? s : t; };
+  const auto minimum = [](unsigned s, unsigned t) { return s < t ? s : t; };
   unsigned lanes = 0;
   for (int j = 0; j < kWidth; ++j) {
     const unsigned u = leaf.vertex[0][j], v = leaf.vertex[1][j], w = leaf.vertex[2][j];
-    const unsigned of_u = least(least(u ^ a, u ^ b), u ^ c);
-    const unsigned of_v = least(least(v ^ a, v ^ b), v ^ c);
-    const unsigned of_w = least(least(w ^ a, w ^ b), w ^ c);
-    lanes |= least(least(of_u, of_v), of_w) != 0 ? kLaneBit[j] : 0u;
+    const unsigned of_u = minimum(minimum(u ^ a, u ^ b), u ^ c);
+    const unsigned of_v = minimum(minimum(v ^ a, v ^ b), v ^ c);
+    const unsigned of_w = minimum(minimum(w ^ a, w ^ b), w ^ c);
+    lanes |= minimum(minimum(of_u, of_v), of_w) != 0 ? kLaneBit[j] : 0u;
   }
   return lanes;
 }
 
-/// Boxes of the leaf's triangles.
-void triangleBoxes(const TreeLeaf& leaf, Lanes3& low, Lanes3& high) {
+/// Computes the bounding boxes of the leaf's triangles.
+void triangleBoxes(const TreeLeaf& leaf, FloatLanes3& low, FloatLanes3& high) {
   for (int axis = 0; axis < 3; ++axis)
     for (int k = 0; k < kWidth; ++k) {
       const float e1 = leaf.edge_1[axis][k], e2 = leaf.edge_2[axis][k];
-      low[axis][k] = leaf.corner[axis][k] + smaller(smaller(e1, e2), 0.0f);
-      high[axis][k] = leaf.corner[axis][k] + larger(larger(e1, e2), 0.0f);
+      low[axis][k] = leaf.corner[axis][k] + floatMin(floatMin(e1, e2), 0.0f);
+      high[axis][k] = leaf.corner[axis][k] + floatMax(floatMax(e1, e2), 0.0f);
     }
 }
 
-/// Lanes of `leaf` whose triangles do not lie wholly on one side of the plane of triangle k of `other`.
+/// Finds the lanes of `leaf` whose triangles do not lie wholly on one side of the plane of triangle k of `other`.
 unsigned cutByPlane(const TreeLeaf& leaf, const TreeLeaf& other, int k, float slack) {
   const float nx = other.normal[0][k], ny = other.normal[1][k], nz = other.normal[2][k];
   const float px = other.corner[0][k], py = other.corner[1][k], pz = other.corner[2][k];
@@ -106,18 +108,18 @@ unsigned cutByPlane(const TreeLeaf& leaf, const TreeLeaf& other, int k, float sl
     const float a = nx * (leaf.corner[0][j] - px) + ny * (leaf.corner[1][j] - py) + nz * (leaf.corner[2][j] - pz);
     const float b = a + nx * leaf.edge_1[0][j] + ny * leaf.edge_1[1][j] + nz * leaf.edge_1[2][j];
     const float c = a + nx * leaf.edge_2[0][j] + ny * leaf.edge_2[1][j] + nz * leaf.edge_2[2][j];
-    const float low = smaller(smaller(a, b), c), high = larger(larger(a, b), c);
-    lanes |= larger(low, -high) <= slack ? kLaneBit[j] : 0u;
+    const float low = floatMin(floatMin(a, b), c), high = floatMax(floatMax(a, b), c);
+    lanes |= floatMax(low, -high) <= slack ? kLaneBit[j] : 0u;
   }
   return lanes;
 }
 
 struct LeafBoxes {
-  alignas(32) Lanes3 low, high;
+  alignas(32) FloatLanes3 low, high;
 };
 
-/// Calls report(s, t) for the triangles s of leaf l, which have the given boxes, and t of leaf m that cross; each pair
-/// once. `folded`: vertices whose triangles may cross each other.
+/// Calls report(s, t) for each pair of crossing triangles, s of leaf l and t of leaf m, each pair once.  `boxes`: those
+/// of leaf l's triangles.  `folded`: by vertex, whether its triangles may cross each other.
 template <class Report>
 void crossLeaves(const TriangleTree::Data& tree, int l, const LeafBoxes& boxes, int m,
                  const std::vector<unsigned char>& folded, const Report& report) {
@@ -143,7 +145,7 @@ void crossLeaves(const TriangleTree::Data& tree, int l, const LeafBoxes& boxes, 
   }
 }
 
-/// Whether a vertex's triangles do not all face the way of their mean: only then can two of them cross.
+/// Whether some triangle of a vertex faces away from the mean normal: only then can two of its triangles cross.
 bool isFolded(const TriangleTree::Data& tree, int v) {
   const int begin = tree.fan_begin[v], end = tree.fan_begin[v + 1];
   Vec3 mean = Vec3::Zero();
@@ -154,7 +156,7 @@ bool isFolded(const TriangleTree::Data& tree, int v) {
 
 }  // namespace
 
-void SelfOverlap::find(const TriangleTree& tree, std::span<const unsigned char> asked) {
+void BodySelfOverlap::find(const TriangleTree& tree, std::span<const unsigned char> asked) {
   const TriangleTree::Data& data = tree.data();
   exposures_.assign(data.triangles.rows(), Exposure::unknown);
   leaf_in_region_.resize(data.leaves.size());
@@ -170,7 +172,7 @@ void SelfOverlap::find(const TriangleTree& tree, std::span<const unsigned char> 
   buried_ = std::count(exposures_.begin(), exposures_.end(), Exposure::buried);
 }
 
-void SelfOverlap::findCrossings(const TriangleTree::Data& tree) {
+void BodySelfOverlap::findCrossings(const TriangleTree::Data& tree) {
   folded_.assign(tree.positions.rows(), 0);
   parallelFor(static_cast<int>(tree.leaves.size()), 256, [&](int l) {
     if (!leaf_in_region_[l]) return;
@@ -189,13 +191,13 @@ void SelfOverlap::findCrossings(const TriangleTree::Data& tree) {
     LeafBoxes boxes;
     triangleBoxes(tree.leaves[l], boxes.low, boxes.high);
     visitLeaves(tree, tree.leaves[l].box, [&](int m) {
-      const bool done_from_there = m < l && leaf_in_region_[m];
-      if (!done_from_there) crossLeaves(tree, l, boxes, m, folded_, report);
+      const bool is_done_from_m = m < l && leaf_in_region_[m];
+      if (!is_done_from_m) crossLeaves(tree, l, boxes, m, folded_, report);
     });
   });
 }
 
-void SelfOverlap::buryPatches(const TriangleTree& tree) {
+void BodySelfOverlap::buryPatches(const TriangleTree& tree) {
   const TriangleTree::Data& data = tree.data();
   const int m = static_cast<int>(data.triangles.rows());
   visited_.assign(m, 0);
@@ -216,7 +218,7 @@ void SelfOverlap::buryPatches(const TriangleTree& tree) {
   }
 }
 
-size_t SelfOverlap::memoryBytes() const {
+size_t BodySelfOverlap::memoryBytes() const {
   return exposures_.capacity() * sizeof(Exposure) + leaf_in_region_.capacity() + folded_.capacity() +
          visited_.capacity() + patch_.capacity() * sizeof(int);
 }

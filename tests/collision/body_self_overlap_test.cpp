@@ -1,4 +1,4 @@
-#include "collision/self_overlap.h"
+#include "collision/body_self_overlap.h"
 
 #include <catch2/catch.hpp>
 
@@ -9,8 +9,8 @@ using namespace ease::bodies;
 
 namespace {
 
-SelfOverlap overlapOf(const TriangleMesh& mesh) {
-  SelfOverlap overlap;
+BodySelfOverlap overlapOf(const TriangleMesh& mesh) {
+  BodySelfOverlap overlap;
   overlap.find(TriangleTree(mesh.positions, mesh.triangles),
                std::vector<unsigned char>(static_cast<size_t>(mesh.triangles.rows()), 1));
   return overlap;
@@ -25,7 +25,7 @@ Vec3 cornerOf(const TriangleMesh& mesh, int t, int k) {
 TEST_CASE("a surface that does not meet itself has neither crossing nor buried triangles") {
   for (const TriangleMesh& mesh : {box(Vec3::Zero(), Vec3::Ones()), sphere(0.3, 20), capsule(0.5, 0.1, 10),
                                    joined(sphere(0.3, 10), moved(sphere(0.3, 10), Vec3(0.61, 0.0, 0.0)))}) {
-    const SelfOverlap overlap = overlapOf(mesh);
+    const BodySelfOverlap overlap = overlapOf(mesh);
     CHECK(overlap.crossing() == 0);
     CHECK(overlap.buried() == 0);
   }
@@ -36,7 +36,7 @@ TEST_CASE("where two spheres overlap, what lies within the other is buried") {
   const TriangleMesh right = moved(sphere(radius, 16), Vec3(offset, 0.0, 0.0));
   const TriangleMesh left = moved(sphere(radius, 16), Vec3(-offset, 0.0, 0.0));
   const TriangleMesh mesh = joined(right, left);
-  const SelfOverlap overlap = overlapOf(mesh);
+  const BodySelfOverlap overlap = overlapOf(mesh);
   CHECK(overlap.crossing() > 0);
   CHECK(overlap.buried() > 0);
   const TriangleTree right_tree(right.positions, right.triangles), left_tree(left.positions, left.triangles);
@@ -53,7 +53,7 @@ TEST_CASE("where two spheres overlap, what lies within the other is buried") {
 
 TEST_CASE("spheres whose vertices and edges lie on each other exactly are told apart all the same") {
   const TriangleMesh ball = sphere(0.25, 8);
-  const SelfOverlap overlap = overlapOf(joined(ball, moved(ball, Vec3(0.0, 0.0, 0.25))));
+  const BodySelfOverlap overlap = overlapOf(joined(ball, moved(ball, Vec3(0.0, 0.0, 0.25))));
   CHECK(overlap.crossing() > 0);
   const auto exposures = overlap.exposures();
   for (int t = 0; t < ball.triangles.rows(); ++t) {
@@ -74,7 +74,7 @@ TEST_CASE("triangles that cross from a common vertex on are seen") {
                                     {-1.0, -1.0, 1.0},
                                     {-2.0, 1.0, -1.0}},
                                    {{0, 1, 2}, {0, 3, 4}, {0, 5, 6}});
-  const SelfOverlap overlap = overlapOf(mesh);
+  const BodySelfOverlap overlap = overlapOf(mesh);
   CHECK(overlap.exposures()[0] == Exposure::crossing);
   CHECK(overlap.exposures()[1] == Exposure::crossing);
   CHECK(overlap.crossing() == 2);
@@ -84,7 +84,7 @@ TEST_CASE("only what is asked for and its neighbours in the tree are looked at")
   const TriangleMesh mesh = sphere(0.3, 20);
   std::vector<unsigned char> asked(static_cast<size_t>(mesh.triangles.rows()), 0);
   asked[7] = 1;
-  SelfOverlap overlap;
+  BodySelfOverlap overlap;
   overlap.find(TriangleTree(mesh.positions, mesh.triangles), asked);
   CHECK(overlap.exposures()[7] == Exposure::boundary);
   CHECK(std::count(overlap.exposures().begin(), overlap.exposures().end(), Exposure::boundary) == 8);
