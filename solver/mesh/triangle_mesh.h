@@ -8,6 +8,10 @@
 
 namespace ease {
 
+static_assert(EIGEN_MAX_ALIGN_BYTES == 64 && EIGEN_MAX_STATIC_ALIGN_BYTES == 16,
+              "Ease needs Eigen with the alignment that the library was compiled with; CMake's target ease::solver "
+              "sets it, other builds need -DEIGEN_MAX_ALIGN_BYTES=64 -DEIGEN_MAX_STATIC_ALIGN_BYTES=16");
+
 using Vec3 = Eigen::Vector3d;
 using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  // n x 3, m
 using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;     // m x 3
