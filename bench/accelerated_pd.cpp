@@ -38,7 +38,7 @@ void AcceleratedPd::factor(double h) {
   std::vector<Mat2> scaled_inverse(cloth.triangleCount());
   for (int t = 0; t < cloth.triangleCount(); ++t)
     scaled_inverse[t] = cloth.restInverse()[t] * weights.cwiseSqrt().asDiagonal();
-  if (!system_.factor(scaled_inverse, cloth.restAreas(), diagonal, fixed_))
+  if (!system_.factor(scaled_inverse, cloth.membraneWeights(), diagonal, fixed_))
     throw ComputationError("the projective system is not positive definite");
 }
 

@@ -8,7 +8,7 @@
 // Their form 1/2 3/(A0+A1) |b|^2 counts the curvature energy threefold on an equilateral mesh; w is a third of it.
 #pragma once
 
-#include "solver/energy/lanes.h"
+#include "solver/energy/element.h"
 #include "solver/model/hinge.h"
 
 namespace ease {

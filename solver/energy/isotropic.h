@@ -9,7 +9,7 @@
 // C = FᵀF, d = sqrt det C, S = (C + d I)/sqrt(tr C + 2d), R = F S^-1.
 #pragma once
 
-#include "solver/energy/shear.h"
+#include "solver/energy/element.h"
 
 namespace ease {
 

@@ -12,7 +12,7 @@
 // reproduces it exactly, at weight 2k.
 #pragma once
 
-#include "solver/energy/stretch.h"
+#include "solver/energy/element.h"
 
 namespace ease {
 
@@ -45,18 +45,6 @@ Real addBw98Shear(const Deformation<Real>& F, double k, const Real& c, Deformati
   addScaled(stress.v, Real(k * excess), F.u);
   return 0.5 * k * excess * excess;
 }
-
-/// Blocks of the second derivative by (f_u, f_v), each 3x3, N/m: uu, uv (row f_u, column f_v), vv.
-struct FrameHessian {
-  Mat3 uu = Mat3::Zero(), uv = Mat3::Zero(), vv = Mat3::Zero();
-
-  /// Adds `weight` times the square of a mode, 3x2.
-  void addMode(double weight, const Mat32& mode) {
-    uu += weight * mode.col(0) * mode.col(0).transpose();
-    uv += weight * mode.col(0) * mode.col(1).transpose();
-    vv += weight * mode.col(1) * mode.col(1).transpose();
-  }
-};
 
 /// Second derivative by F.
 FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, HessianKind kind);

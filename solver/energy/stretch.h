@@ -9,23 +9,9 @@
 // Projective dynamics reproduces it exactly: the nearest point with psi = 0 is c f / |f|, at weight k.
 #pragma once
 
-#include "solver/energy/lanes.h"
-#include "solver/mesh/triangle_gradient.h"
+#include "solver/energy/element.h"
 
 namespace ease {
-
-/// A spring: its stiffness and the value of its condition at rest.
-struct Spring {
-  double k;
-  double c;
-};
-
-/// Elastic spring (k, c) with condition-rate damping over a step: k_d/(2h) (C - C_start)^2 added, up to a constant
-/// (Baraff and Witkin 1998, section 4.5, as a potential).  Forceless on rigid motion, since C is.
-inline Spring damped(const Spring& spring, double damping_over_h, double condition_at_start) {
-  const double k = spring.k + damping_over_h;
-  return {k, k > 0.0 ? (spring.k * spring.c + damping_over_h * condition_at_start) / k : 0.0};
-}
 
 /// psi, N/m; adds d psi / d f, N/m, to `stress`: nothing where f is zero.
 template <class Real>

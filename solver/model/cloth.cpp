@@ -1,5 +1,10 @@
 #include "solver/model/cloth.h"
 
+#include <cmath>
+
+#include "solver/base/error.h"
+#include "solver/base/joined.h"
+
 namespace ease {
 
 namespace {
@@ -45,6 +50,7 @@ void Cloth::setRest(const RestShape& rest) {
     rest_areas_[t] = 0.5 * rest_.edges[t].determinant();
     for (int a = 0; a < 3; ++a) vertex_areas_[triangles_(t, a)] += rest_areas_[t] / 3.0;
   }
+  weighMembrane();
   masses_.resize(vertexCount());
   for (int i = 0; i < vertexCount(); ++i) masses_[i] = density_ * vertex_areas_[i];
 
@@ -58,6 +64,22 @@ void Cloth::setRest(const RestShape& rest) {
                                 edgesFrom(rest_.edges[t0], cornerOf(triangles_, t0, x0)),
                                 edgesFrom(rest_.edges[t1], cornerOf(triangles_, t1, x1))));
   }
+}
+
+void Cloth::setStiffnessScale(const std::vector<double>& scale) {
+  if (!scale.empty() && static_cast<int>(scale.size()) != triangleCount())
+    throw InputError(joined("stiffness scale: ", scale.size(), " factors for ", triangleCount(), " triangles"));
+  for (size_t t = 0; t < scale.size(); ++t)
+    if (!(scale[t] > 0.0 && std::isfinite(scale[t])))
+      throw InputError(joined("stiffness scale of triangle ", t, " is ", scale[t], ": expected a positive number"));
+  ++rest_revision_;
+  stiffness_scale_ = scale;
+  weighMembrane();
+}
+
+void Cloth::weighMembrane() {
+  membrane_weights_.resize(stiffness_scale_.size());
+  for (size_t t = 0; t < stiffness_scale_.size(); ++t) membrane_weights_[t] = stiffness_scale_[t] * rest_areas_[t];
 }
 
 }  // namespace ease

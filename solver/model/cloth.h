@@ -28,6 +28,10 @@ class Cloth {
   /// Replaces the rest shape, and makes it the one from which growth is counted.
   void setFirst(const RestShape& first);
 
+  /// Multiplies the membrane's stiffness and damping in each triangle by a factor of its own, > 0; empty: 1 everywhere.
+  /// Throws InputError where there is not one factor a triangle, or one is not a positive number.
+  void setStiffnessScale(const std::vector<double>& scale);
+
   const RestShape& rest() const { return rest_; }
   /// The rest shape before any growth.
   const RestShape& first() const { return first_; }
@@ -44,15 +48,21 @@ class Cloth {
   const std::vector<Mat2>& restEdges() const { return rest_.edges; }
   const std::vector<Mat2>& restInverse() const { return rest_inverse_; }
   const std::vector<double>& restAreas() const { return rest_areas_; }
+  /// Rest area times stiffness scale of each triangle: what its membrane counts with, m^2.
+  const std::vector<double>& membraneWeights() const {
+    return stiffness_scale_.empty() ? rest_areas_ : membrane_weights_;
+  }
   const std::vector<double>& vertexAreas() const { return vertex_areas_; }  // a third of the rest area around, m^2
   const std::vector<double>& masses() const { return masses_; }
   const std::vector<Hinge>& hinges() const { return hinges_; }  // empty without bending
-  int restRevision() const { return rest_revision_; }           // number of rest shapes so far
+  int restRevision() const { return rest_revision_; }           // number of rest shapes and stiffness scales so far
 
   /// Deformation gradient of triangle t.
   Mat32 deformation(const Positions& x, int t) const { return edgeMatrix(x, triangles_, t) * rest_inverse_[t]; }
 
  private:
+  void weighMembrane();
+
   Triangles triangles_;
   Topology topology_;
   Material material_;
@@ -60,6 +70,7 @@ class Cloth {
   RestShape first_, rest_;
   std::vector<Mat2> rest_inverse_;
   std::vector<double> rest_areas_, vertex_areas_, masses_;
+  std::vector<double> stiffness_scale_, membrane_weights_;
   std::vector<Hinge> hinges_;
   int rest_revision_ = 0;
 };

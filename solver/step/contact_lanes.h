@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "solver/energy/lanes.h"
+#include "solver/energy/element.h"
 #include "solver/model/cloth.h"
 #include "solver/model/contact.h"
 

@@ -34,6 +34,7 @@ std::vector<int> hingeCorners(const std::vector<Hinge>& hinges) {
 
 IncrementalPotential::IncrementalPotential(const Cloth& cloth)
     : cloth_(cloth),
+      membrane_(cloth),
       inertial_(cloth.vertexCount(), 3),
       contacts_(cloth, kGroup),
       bending_(cloth.vertexCount(), cloth.hinges()),
@@ -62,15 +63,7 @@ void IncrementalPotential::begin(const State& start, const StepOptions& options)
     bending_.set(cloth_.hinges(), material.bending);
   }
   bending_round_off_ = bending_.roundOff(start_);
-  damping_stretch_ = material.damping_stretch / options.h;
-  damping_shear_ = material.damping_shear / options.h;
-  if (damping_stretch_ > 0.0 || damping_shear_ > 0.0) {
-    start_conditions_.resize(cloth_.triangleCount());
-    parallelFor(cloth_.triangleCount(), kGrain, [&](int t) {
-      const Mat32 F = cloth_.deformation(start.positions, t);
-      start_conditions_[t] = {F.col(0).norm(), F.col(1).norm(), shearCondition(F)};
-    });
-  }
+  membrane_.begin(start.positions, options.h);
   layOutTriangles();
   if (material.damping_bending > 0.0) {
     start_bending_.resize(cloth_.hinges().size());
@@ -85,31 +78,16 @@ void IncrementalPotential::layOutTriangles() {
     TriangleLanes& lanes = lanes_[block];
     for (int l = 0; l < kLanes; ++l) {
       const int t = std::min(block * kLanes + l, m - 1);
-      const TriangleSprings s = springs(t);
       for (int a = 0; a < 3; ++a) lanes.corners[a][l] = cloth_.triangles()(t, a);
       for (int k = 0; k < 4; ++k) lanes.inverse[k][l] = cloth_.restInverse()[t](k / 2, k % 2);
-      lanes.area[l] = block * kLanes + l < m ? cloth_.restAreas()[t] : 0.0;
-      lanes.warp[l] = s.warp.c;
-      lanes.weft[l] = s.weft.c;
-      lanes.shear[l] = s.shear.c;
+      lanes.weight[l] = block * kLanes + l < m ? cloth_.membraneWeights()[t] : 0.0;
+      membrane_.setRestConditions(t, l, lanes.rest);
     }
   });
 }
 
 void IncrementalPotential::setContacts(const Contacts& contacts) {
   contacts_.set(contacts);
-}
-
-IncrementalPotential::TriangleSprings IncrementalPotential::springs(int t) const {
-  const Material& material = cloth_.material();
-  TriangleSprings s{{0.0, 1.0}, {0.0, 1.0}, {0.0, 0.0}};
-  if (woven()) s = {{material.stretch_warp, 1.0}, {material.stretch_weft, 1.0}, {material.shear, 0.0}};
-  if (start_conditions_.empty()) return s;
-  const Eigen::Vector3d& start = start_conditions_[t];
-  s.warp = damped(s.warp, damping_stretch_, start[0]);
-  s.weft = damped(s.weft, damping_stretch_, start[1]);
-  s.shear = damped(s.shear, damping_shear_, start[2]);
-  return s;
 }
 
 HingeDamper IncrementalPotential::hingeDamper(int e) const {
@@ -134,7 +112,6 @@ TriangleEdges IncrementalPotential::TriangleLanes::edgesAt(const Positions& x) c
 /// Computes membrane and contact forces at triangle corners; returns the energy, J.
 double IncrementalPotential::triangleForces(const Positions& x) {
   const int per_group = kGroup / kLanes;
-  const TriangleSprings stiffness = springs(0);  // the same for all but where they are at rest
   partial_.resize(contacts_.groupCount());
   parallelFor(contacts_.groupCount(), 1, [&](int g) {
     const std::span<const ContactLanes> contacts = contacts_.group(g);
@@ -143,17 +120,14 @@ double IncrementalPotential::triangleForces(const Positions& x) {
     partial_[g] = 0.0;
     for (int block = g * per_group; block < end; ++block, first = last) {
       while (last < contacts.size() && contacts[last].block == block) ++last;
-      partial_[g] += blockForces(block, stiffness, contacts.subspan(first, last - first), x);
+      partial_[g] += blockForces(block, contacts.subspan(first, last - first), x);
     }
   });
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
 /// Computes the forces of eight triangles side by side; returns their energy, J.
-double IncrementalPotential::blockForces(int block, const TriangleSprings& stiffness,
-                                         std::span<const ContactLanes> contacts, const Positions& x) {
-  const Material& material = cloth_.material();
-  const bool springy = stiffness.warp.k > 0.0 || stiffness.weft.k > 0.0 || stiffness.shear.k > 0.0;
+double IncrementalPotential::blockForces(int block, std::span<const ContactLanes> contacts, const Positions& x) {
   const TriangleLanes& lanes = lanes_[block];
   const TriangleEdges host = lanes.edgesAt(x);
   const Column<Lanes>&e1 = host.edge_1, &e2 = host.edge_2;
@@ -164,19 +138,12 @@ double IncrementalPotential::blockForces(int block, const TriangleSprings& stiff
   const Deformation<Lanes> F{column(0), column(1)};
   const Column<Lanes> none{Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
   Deformation<Lanes> stress{none, none};
-  Lanes psi = Lanes::Zero();
-  if (springy) {
-    psi += addStretch(F.u, stiffness.warp.k, lanes.warp, stress.u);
-    psi += addStretch(F.v, stiffness.weft.k, lanes.weft, stress.v);
-    psi += material.shear_form == ShearForm::bw98 ? addBw98Shear(F, stiffness.shear.k, lanes.shear, stress)
-                                                  : addOrthogonalShear(F, stiffness.shear.k, lanes.shear, stress);
-  }
-  if (!woven()) psi += addIsotropic(F, material.mu, material.lambda, stress);
-  Lanes energy = psi * lanes.area;
+  const Lanes psi = membrane_.add(F, lanes.rest, stress);
+  Lanes energy = psi * lanes.weight;
 
   // dE/dx of corners 1 and 2: a (stress) D^-T; of corner 0 what keeps the balance.
   const auto force = [&](int k) {
-    const Lanes u = lanes.area * D[2 * k], v = lanes.area * D[2 * k + 1];
+    const Lanes u = lanes.weight * D[2 * k], v = lanes.weight * D[2 * k + 1];
     return Column<Lanes>{stress.u.x * u + stress.v.x * v, stress.u.y * u + stress.v.y * v,
                          stress.u.z * u + stress.v.z * v};
   };
@@ -254,13 +221,6 @@ double IncrementalPotential::roundOff(double energy, const StepMotion& motion) c
 
 double IncrementalPotential::totalMass() const {
   return std::accumulate(cloth_.masses().begin(), cloth_.masses().end(), 0.0);
-}
-
-Eigen::Vector2d IncrementalPotential::projectiveWeights() const {
-  const TriangleSprings s = springs(0);
-  const Material& material = cloth_.material();
-  const double isotropic = woven() ? 0.0 : 2.0 * material.mu + material.lambda;
-  return Eigen::Vector2d(s.warp.k, s.weft.k).array() + 2.0 * s.shear.k + isotropic;
 }
 
 void IncrementalPotential::contactDiagonal(const Positions& x, bool bound, std::vector<double>& diagonal) {

@@ -17,7 +17,7 @@
 
 #include "solver/energy/bending.h"
 #include "solver/energy/contact.h"
-#include "solver/energy/isotropic.h"
+#include "solver/energy/membrane.h"
 #include "solver/linear/block_matrix.h"
 #include "solver/linear/incidence.h"
 #include "solver/model/cloth.h"
@@ -58,9 +58,8 @@ class IncrementalPotential {
   void hessian(const Positions& x, HessianKind kind, BlockMatrix& hessian);
   void addBendingProduct(const Positions& d, Positions& product);
 
-  /// Weights per rest area of the constant matrix that projective dynamics has for the membrane, along warp and weft,
-  /// N/m: exact for terms that are distances to a set, a bound near rest for the others.
-  Eigen::Vector2d projectiveWeights() const;
+  /// Weights of projective dynamics for the membrane, along warp and weft, N/m (membrane.h).
+  Eigen::Vector2d projectiveWeights() const { return membrane_.projectiveWeights(); }
 
   /// Lumped contact stiffness per vertex at x, N/m: row sums of its Hessian.  With `bound`, an upper bound over the
   /// whole step: every contact counts as if pressed to the depth at which it stiffens, or deeper where it is deeper.
@@ -84,14 +83,11 @@ class IncrementalPotential {
   const StepOptions& options() const { return options_; }
 
  private:
-  struct TriangleSprings {
-    Spring warp, weft, shear;
-  };
   struct TriangleLanes {
     int corners[3][kLanes];
-    Lanes inverse[4];         // D^-1, row by row, 1/m
-    Lanes area;               // m^2; 0 beyond the last triangle
-    Lanes warp, weft, shear;  // conditions at rest, damping included
+    Lanes inverse[4];  // D^-1, row by row, 1/m
+    Lanes weight;      // of the membrane (cloth.h), m^2; 0 beyond the last triangle
+    RestConditions rest;
 
     TriangleEdges edgesAt(const Positions& x) const;
   };
@@ -100,16 +96,10 @@ class IncrementalPotential {
     StepMotion motion;
   };
 
-  bool woven() const { return cloth_.material().membrane == Membrane::woven; }
-  double shearCondition(const Mat32& F) const {
-    return cloth_.material().shear_form == ShearForm::bw98 ? bw98Shear(F) : orthogonalShear(F);
-  }
-  TriangleSprings springs(int t) const;
   HingeDamper hingeDamper(int e) const;
   void layOutTriangles();
   double triangleForces(const Positions& x);
-  double blockForces(int block, const TriangleSprings& stiffness, std::span<const ContactLanes> contacts,
-                     const Positions& x);
+  double blockForces(int block, std::span<const ContactLanes> contacts, const Positions& x);
   double hingeDampingForces(const Positions& x);
   /// Calls add(contact, lane, depth) for each sample that is pressed at x, or (bound) could be, one after the other; m.
   template <class Add>
@@ -137,13 +127,12 @@ class IncrementalPotential {
   }
 
   const Cloth& cloth_;
+  MembraneEnergy membrane_;
   int rest_revision_ = -1;  // of the cloth's, that the bending matrix has
   StepOptions options_;
-  Positions start_;                                     // x_n
-  Positions inertial_;                                  // y
-  double damping_stretch_ = 0.0, damping_shear_ = 0.0;  // over h, N/m
-  std::vector<Eigen::Vector3d> start_conditions_;       // |f_u|, |f_v|, shear at the start, where damped
-  std::vector<double> start_bending_;                   // |b| at the start, where damped
+  Positions start_;                    // x_n
+  Positions inertial_;                 // y
+  std::vector<double> start_bending_;  // |b| at the start, where damped
   ContactLayout contacts_;
 
   BendingMatrix bending_;

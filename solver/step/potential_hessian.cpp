@@ -15,18 +15,8 @@ void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMa
   const ContactSamples samples = cloth_.samples();
   parallelFor(cloth_.triangleCount(), kGrain, [&](int t) {
     const Mat32 F = cloth_.deformation(x, t);
-    const TriangleSprings s = springs(t);
-    FrameHessian& h = frame_hessian_[t];
-    h = woven() ? FrameHessian() : isotropicHessian(F, cloth_.material().mu, cloth_.material().lambda, kind);
-    if (s.shear.k > 0.0) {
-      const bool bw98 = cloth_.material().shear_form == ShearForm::bw98;
-      const FrameHessian shear = bw98 ? bw98ShearHessian(F, s.shear, kind) : orthogonalShearHessian(F, s.shear, kind);
-      h.uu += shear.uu, h.uv += shear.uv, h.vv += shear.vv;
-    }
-    h.uu += stretchHessian(F.col(0), s.warp, kind);
-    h.vv += stretchHessian(F.col(1), s.weft, kind);
-    const double a = cloth_.restAreas()[t];
-    h.uu *= a, h.uv *= a, h.vv *= a;
+    frame_hessian_[t] = membrane_.hessian(F, t, kind);
+    frame_hessian_[t] *= cloth_.membraneWeights()[t];
   });
   if (!start_bending_.empty())
     parallelFor(static_cast<int>(hinge_hessian_.size()), kGrain, [&](int e) {

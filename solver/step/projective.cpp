@@ -82,7 +82,7 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
   scaled_inverse_.resize(cloth.triangleCount());
   for (int t = 0; t < cloth.triangleCount(); ++t)
     scaled_inverse_[t] = cloth.restInverse()[t] * weights.cwiseSqrt().asDiagonal();
-  if (!system_.factor(scaled_inverse_, cloth.restAreas(), diagonal_, fixed))
+  if (!system_.factor(scaled_inverse_, cloth.membraneWeights(), diagonal_, fixed))
     throw ComputationError("the projective system is not positive definite");
   return true;
 }

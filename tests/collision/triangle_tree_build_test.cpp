@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "collision/triangle_tree_data.h"
-#include "solver/energy/lanes.h"
+#include "solver/energy/element.h"
 #include "tests/collision/bodies.h"
 
 using namespace ease;

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "solver/energy/isotropic.h"
+#include "solver/energy/shear.h"
+#include "solver/energy/stretch.h"
 
 namespace ease {
 
