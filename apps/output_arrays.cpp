@@ -62,22 +62,22 @@ Floats paintScales(const SceneInput& input) {
 
 const std::vector<OutputArray<RunSource>>& runArrays() {
   using enum Element;
-  using Run = const RunSource&;
+  using FromRun = const RunSource&;
   static const std::vector<OutputArray<RunSource>> arrays = {
       {"sigma_1", "", triangle, 1, "larger principal stretch; 1 is unstretched",
-       [](Run r) { return stretches(r, &Stretch::sigma_1); }},
-      {"sigma_2", "", triangle, 1, "smaller principal stretch", [](Run r) { return stretches(r, &Stretch::sigma_2); }},
-      {"stretch_warp", "", triangle, 1, "stretch along the warp", [](Run r) { return stretches(r, &Stretch::warp); }},
-      {"stretch_weft", "", triangle, 1, "stretch along the weft", [](Run r) { return stretches(r, &Stretch::weft); }},
+       [](FromRun r) { return stretches(r, &Stretch::sigma_1); }},
+      {"sigma_2", "", triangle, 1, "smaller principal stretch", [](FromRun r) { return stretches(r, &Stretch::sigma_2); }},
+      {"stretch_warp", "", triangle, 1, "stretch along the warp", [](FromRun r) { return stretches(r, &Stretch::warp); }},
+      {"stretch_weft", "", triangle, 1, "stretch along the weft", [](FromRun r) { return stretches(r, &Stretch::weft); }},
       {"rest_area_ratio", "", triangle, 1,
        "rest area over that of the first rest shape; also in files of the rest shape", restAreaRatios, true},
       {"velocity_m_s", "m/s", vertex, 3, "velocity, three components", velocities},
       {"pinned", "", vertex, 1, "1 where a pin holds the vertex, else 0",
-       [](Run r) { return marks(static_cast<size_t>(r.cloth.vertexCount()), {r.fields->pinned}); }},
+       [](FromRun r) { return marks(static_cast<size_t>(r.cloth.vertexCount()), {r.fields->pinned}); }},
       {"gap_m", "m", vertex, 1, "distance to the body less the comfort offset; only with a body",
-       [](Run r) { return toFloats(r.fields->gap); }},
+       [](FromRun r) { return toFloats(r.fields->gap); }},
       {"contact_pressure_Pa", "Pa", vertex, 1, "pressure of the body on the cloth; only with a body",
-       [](Run r) { return toFloats(r.fields->gap.empty() ? std::vector<double>{} : r.fields->pressure); }}};
+       [](FromRun r) { return toFloats(r.fields->gap.empty() ? std::vector<double>{} : r.fields->pressure); }}};
   return arrays;
 }
 

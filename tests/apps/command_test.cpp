@@ -148,8 +148,9 @@ TEST_CASE("every method runs the whole job, and one thread and two write the sam
   }
 }
 
-TEST_CASE("a scene beyond a method ends with exit code 2 and one line that says why, or with steps that are counted") {
-  // Nothing holds the cloth, and it is so light for its stiffness that rounding swallows its inertia.
+TEST_CASE("a scene beyond a method ends with exit code 2 and one line that says why") {
+  // Nothing holds the cloth, and it is so light for its stiffness that round-off swallows its inertia.  The projective
+  // methods know its fall from momentum alone; Newton's system is singular.
   const std::string method = GENERATE("auto", "bw1", "newton", "pd", "pd-lbfgs");
   const TemporaryDirectory directory;
   writeHangingCloth(directory, 1);
@@ -160,14 +161,14 @@ TEST_CASE("a scene beyond a method ends with exit code 2 and one line that says 
   const Outcome outcome = runEase(directory, "run light.toml -o light");
   const std::string report = contentOf(directory.path / "light/report.json");
   INFO(method << ": " << outcome.code << ", " << outcome.err);
-  if (method == "pd" || method == "pd-lbfgs") {
+  if (method != "bw1" && method != "newton") {
     CHECK(outcome.code == 0);
-    CHECK_THAT(report, Contains("\"time_steps_short_of_tolerance\": 4"));
+    CHECK_THAT(report, Contains("\"steps\": 4"));
   } else {
     CHECK(outcome.code == 2);
-    CHECK_THAT(outcome.err, StartsWith("ease: error: time step 1 (1.0000 s): the linear system of the step is not "));
+    CHECK_THAT(outcome.err, StartsWith("ease: error: time step 1 (1 s): the linear system of the step is not "));
     CHECK(isOneLine(outcome.err));
-    CHECK_THAT(report, Contains("\"failure\": \"time step 1 (1.0000 s): "));
+    CHECK_THAT(report, Contains("\"failure\": \"time step 1 (1 s): "));
   }
 }
 

@@ -223,7 +223,7 @@ TEST_CASE("pins that a run got while going on stay where they were put when it g
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     const Checkpoint now = readCheckpoint(directory.path / "there/checkpoint.bin");
-    const Positions garment = restored(now.state.positions, now.numbering.vertices);
+    const Positions garment = restored(now.run.cloth.positions, now.numbering.vertices);
     if (held.rows() > 0) CHECK(garment.row(0) == held.row(0));
     held = garment;
     CHECK((held.row(0) - now.start.mesh.positions.row(0)).norm() > 1e-5);  // the cloth had fallen when it was pinned

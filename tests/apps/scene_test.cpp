@@ -1,5 +1,6 @@
 #include "apps/scene.h"
 
+#include "apps/scene_run.h"
 #include "tests/apps/scene_text.h"
 #include "tests/places.h"
 
@@ -26,7 +27,7 @@ TEST_CASE("the smallest scene has the defaults") {
   CHECK(scene.collision.offset == 0.005);
   CHECK_FALSE(scene.adaption);
   CHECK_FALSE(scene.output);
-  CHECK(timeStepsOfMotion(scene) == 240);
+  CHECK(timeStepsOfMotion(replaySchedule(scene)) == 240);
 }
 
 TEST_CASE("every key of a scene is read") {
@@ -105,7 +106,7 @@ every = 16
   CHECK_FALSE(scene.adaption->verify);
   REQUIRE(scene.output);
   CHECK(scene.output->every == 16);
-  CHECK(timeStepsOfMotion(scene) == 2 * 50 * 3);
+  CHECK(timeStepsOfMotion(replaySchedule(scene)) == 2 * 50 * 3);
 }
 
 TEST_CASE("one number of stretch serves warp and weft") {
@@ -115,13 +116,13 @@ TEST_CASE("one number of stretch serves warp and weft") {
 }
 
 TEST_CASE("one pose is a body that stands still for its steps") {
-  CHECK(timeStepsOfMotion(sceneOf("[body]\nposes = ['t.ply']\nsteps = 5\n[garment]\nmesh = 's.obj'\n")) == 20);
+  CHECK(timeStepsOfMotion(replaySchedule(sceneOf("[body]\nposes = ['t.ply']\nsteps = 5\n[garment]\nmesh = 's.obj'\n"))) == 20);
 }
 
 TEST_CASE("a scene without a body lasts as many steps as it says, and pins to where the cloth is") {
   const Scene scene = sceneOf(kNoBody + "[[garment.pin]]\nloop = 'top'\n");
   CHECK_FALSE(scene.body);
-  CHECK(timeStepsOfMotion(scene) == 10);
+  CHECK(timeStepsOfMotion(replaySchedule(scene)) == 10);
   CHECK_FALSE(scene.garment.pins[0].to_body);
 }
 

@@ -16,6 +16,7 @@
 
 #include "apps/command_line.h"
 #include "apps/scene.h"
+#include "apps/scene_run.h"
 #include "solver/base/error.h"
 #include "tests/apps/result_check.h"
 #include "tests/fuzz/mutate.h"
@@ -45,7 +46,7 @@ std::string contentOf(const std::filesystem::path& file) {
 bool isSmall(const std::filesystem::path& file) {
   try {
     const Scene scene = readScene(file);
-    long steps = timeStepsOfMotion(scene);
+    long steps = timeStepsOfMotion(replaySchedule(scene));
     if (scene.adaption) steps = steps * scene.adaption->cycles + scene.adaption->settle;
     if (const auto& tools = scene.garment.tools)
       if (tools->resolution > kMostVertices || (tools->edge_length > 0.0 && tools->edge_length < kShortestEdge))

@@ -9,6 +9,7 @@
 
 #include "apps/job.h"
 #include "apps/scene.h"
+#include "apps/scene_run.h"
 #include "solver/base/error.h"
 #include "solver/io/mesh_io.h"
 #include "solver/mesh/mesh_checks.h"
@@ -108,7 +109,7 @@ TEST_CASE("a damaged scene is refused in one line, or runs") {
       const Scene scene = readScene(file);
       const SceneInput input = readSceneInput(scene);
       const int cycles = scene.adaption ? scene.adaption->cycles : 1;
-      if (static_cast<long>(timeStepsOfMotion(scene)) * cycles > 40 || scene.collision.voxel < 2e-3) return;
+      if (static_cast<long>(timeStepsOfMotion(replaySchedule(scene))) * cycles > 40 || scene.collision.voxel < 2e-3) return;
       runs = true;
       std::atomic<bool> interrupted = false;
       runScene(scene, input, directory.path / "results", interrupted);

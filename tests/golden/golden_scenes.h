@@ -1,7 +1,7 @@
 // Three small scenes whose results are kept as text, so that a change of these shows.
 //
 //   hung      a sheet held at two corners falls
-//   pressed   a sphere rises into a sheet held at its edges
+//   pressed   a sphere rises into a taut sheet held at its edges
 //   let_out   a tube of cloth on a cylinder that grows too thick for it adapts
 //
 // Each runs through the main job's own loop.  All are smooth: none buckles or slides so that rounding would decide.
@@ -28,7 +28,8 @@ struct GoldenCase {
 /// Every scene by every method that is meant for it.
 std::vector<GoldenCase> goldenCases();
 
-/// Runs one.  `disturbance`: by how much the vertices of the start shape are moved at random, at most, m.
+/// Runs one.  `disturbance`: by how much the vertices of the start shape and of the body's poses are moved at random,
+/// at most, m.
 GoldenResult runGolden(const GoldenCase& which, double disturbance = 0.0);
 
 /// Compiler, its instruction set and optimisation: within one, results are the same to 1e-9 m; between two, to 1e-6 m.

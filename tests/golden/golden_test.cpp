@@ -18,12 +18,13 @@ TEST_CASE("small scenes end where they ended before") {
 }
 
 TEST_CASE("rounding does not decide where the kept scenes end") {
-  // So that another compiler's results can be told from wrong ones: a thousand times its rounding stays below 1e-6 m.
+  // Another compiler or instruction set rounds otherwise.  Its results can be told from wrong ones where a disturbance
+  // of garment and body by a thousand times the rounding of their coordinates stays far below the bound of 1e-6 m.
   for (const GoldenCase& which : goldenCases()) {
     INFO(which.name());
     const double change = difference(runGolden(which), runGolden(which, 1e-13));
     CHECK(change > 0.0);
-    CHECK(change < 1e-6);
+    CHECK(change < 3e-7);
   }
 }
 

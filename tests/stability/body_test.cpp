@@ -115,7 +115,7 @@ TEST_CASE("a limb through a limb leaves the cloth finite, and is counted") {
   Trial trial(makeCentredTube(20, 12, 0.05, 0.2), {apart, crossed, apart}, anyMethod());
   trial.run();
   CHECK(trial.record.contact.held + trial.record.contact.limited > 0);
-  CHECK(trial.state.velocities.rowwise().norm().maxCoeff() < 60.0);  // thrown out, as the README says
+  CHECK(trial.state.velocities.rowwise().norm().maxCoeff() < 60.0);  // thrown out, as docs/limits.md says
 }
 
 TEST_CASE("cloth between two limbs that close on it stays between them") {
@@ -140,7 +140,7 @@ TEST_CASE("a pose that jumps beyond the level set's band is divided, and takes i
   trial.scene.body->steps = 1;
   trial.scene.solver.steps_per_pose = 1;
   trial.run();
-  CHECK(trial.record.division.time_steps >= 80);
+  CHECK(trial.record.substeps.time >= 80);
   CHECK(trial.deepestVertex() <= 1e-4);
 }
 
@@ -191,7 +191,8 @@ TEST_CASE(
     CHECK(trial.largestGrowth() < kMaxGrowth);
   } else {
     if (method != "bw1") CHECK(trial.record.solver.short_of_tolerance == 0);
-    CHECK(many < some + 0.002);
+    // bw1 bounds no error: the second hundred cycles add a little to what the first hundred let out.
+    CHECK(many < some + (method == "bw1" ? 0.05 * (some - 1.0) : 0.002));
     CHECK(trial.largestGrowth() < 1.3);  // beside the pins, which hold what the thick limb turns
   }
 }
