@@ -116,7 +116,8 @@ TEST_CASE("a run that is killed before its tenth frame goes on to what an unbrok
   Started run(directory, kRun);
   run.waitUntil([&] { return fs::exists(directory.path / "there/checkpoint.bin"); });
   run.stop(SIGKILL);
-  const int steps = readCheckpoint(directory.path / "there/checkpoint.bin").run.done.all + 20;  // of a slow killer, later
+  const int steps =
+      readCheckpoint(directory.path / "there/checkpoint.bin").run.done.all + 20;  // of a slow killer, later
   writeScene(directory, steps, adaption);
   REQUIRE(runEase(directory, "run sheet.toml -o whole").code == 0);
   REQUIRE(runEase(directory, "run sheet.toml --resume there").code == 0);

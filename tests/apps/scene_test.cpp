@@ -116,7 +116,8 @@ TEST_CASE("one number of stretch serves warp and weft") {
 }
 
 TEST_CASE("one pose is a body that stands still for its steps") {
-  CHECK(timeStepsOfMotion(replaySchedule(sceneOf("[body]\nposes = ['t.ply']\nsteps = 5\n[garment]\nmesh = 's.obj'\n"))) == 20);
+  CHECK(timeStepsOfMotion(
+            replaySchedule(sceneOf("[body]\nposes = ['t.ply']\nsteps = 5\n[garment]\nmesh = 's.obj'\n"))) == 20);
 }
 
 TEST_CASE("a scene without a body lasts as many steps as it says, and pins to where the cloth is") {

@@ -109,7 +109,8 @@ TEST_CASE("a damaged scene is refused in one line, or runs") {
       const Scene scene = readScene(file);
       const SceneInput input = readSceneInput(scene);
       const int cycles = scene.adaption ? scene.adaption->cycles : 1;
-      if (static_cast<long>(timeStepsOfMotion(replaySchedule(scene))) * cycles > 40 || scene.collision.voxel < 2e-3) return;
+      if (static_cast<long>(timeStepsOfMotion(replaySchedule(scene))) * cycles > 40 || scene.collision.voxel < 2e-3)
+        return;
       runs = true;
       std::atomic<bool> interrupted = false;
       runScene(scene, input, directory.path / "results", interrupted);
