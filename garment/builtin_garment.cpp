@@ -101,8 +101,7 @@ TriangleMesh builtinGarment(const std::string& name, int vertices, double offset
 
   const DistanceField field = garmentField(pattern, offset);
   const std::vector<Plane> cuts = cutsOf(pattern, offset);
-  const double rough_edge =
-      std::sqrt(1.0 / vertices);  // m: edge length if the garment has about a square metre of cloth
+  const double rough_edge = std::sqrt(1.0 / vertices);  // m: edge length for about a square metre of cloth
   const TriangleMesh uniform = cutGarment(field, pattern, cuts, std::clamp(rough_edge, 0.006, 0.016));
   TriangleMesh garment = remeshedTo(uniform, vertices, fmt::format("built-in garment \"{}\"", name));
   settleOnSurface(field, cuts, garment);

@@ -20,8 +20,7 @@ constexpr int kMaxRounds = 300;
 constexpr double kDoubt = 1e-3;      // m: in the last rounds, samples with less than this to spare are measured exactly
 constexpr double kRoomKept = 0.8;    // share of half the room between two parts of the body that is used
 constexpr double kOvershoot = 1e-4;  // m: without it the last micrometres would take many rounds
-constexpr double kBand =
-    0.06;  // m: band of the level set beyond the largest offset; the garment may begin this deep in the body
+constexpr double kBand = 0.06;       // m: band of the level set beyond the largest offset; deepest start in the body
 constexpr double kVoxel = 0.01;      // m
 constexpr double kFarthest = 0.2;    // m: limit of the search for the closest point
 constexpr double kOnSurface = 1e-6;  // m: nearer points give no direction by their closest point

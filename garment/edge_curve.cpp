@@ -6,8 +6,7 @@
 namespace ease {
 namespace {
 
-constexpr double kFromEnds =
-    0.02;  // smallest distance of a point from the ends of its edge, as a share of the edge's length
+constexpr double kFromEnds = 0.02;  // smallest distance of a point from the ends of its edge, in edge lengths
 
 /// Follows one isoline from edge to edge.
 struct IsolineWalk {

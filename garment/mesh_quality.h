@@ -16,8 +16,8 @@ struct MeshQuality {
   double share_from_20_deg = 0.0;  // share of triangles whose smallest angle is at least 20 degrees
   double shortest_edge_m = 0.0, mean_edge_m = 0.0, longest_edge_m = 0.0;
   int self_intersections = 0;  // pairs of triangles that cross
-  double vertex_distance_m = 0.0, midpoint_distance_m = 0.0,
-         centroid_distance_m = 0.0;  // smallest distances to the body
+  // Smallest distances to the body.
+  double vertex_distance_m = 0.0, midpoint_distance_m = 0.0, centroid_distance_m = 0.0;
   double nearest() const { return std::min({vertex_distance_m, midpoint_distance_m, centroid_distance_m}); }
   int too_near = 0;  // vertices, midpoints and centroids nearer than the comfort offset by more than 0.01 mm
 };

@@ -148,7 +148,7 @@ class SeamFinder {
   };
 
   /// Finds the cheapest chain of edges by Dijkstra's algorithm; the cost of an edge grows with its distance from the
-  /// line. Only the ends of the chain may lie on the boundary.
+  /// line.  Only the ends of the chain may lie on the boundary.
   std::vector<int> chainBetween(const std::string& name, const SeamLine& line, int from, int to,
                                 const Taken& taken) const {
     constexpr double kDetour = 4.0;  // added to the cost of an edge one mean edge length from the line, in its lengths

@@ -42,8 +42,7 @@ TEST_CASE("an extension goes along the loop's axis, away from the garment, and k
     CHECK(moved.y() < -0.299);
     CHECK(polygonLength(after, true) == Approx(1.5 * polygonLength(before, true)).epsilon(1e-9));
     CHECK(eulerCharacteristic(garment.mesh) == 0);
-    const Topology topology =
-        buildTopology(garment.mesh, "garment");  // throws if extension and garment are joined wrongly
+    const Topology topology = buildTopology(garment.mesh, "garment");  // throws if the parts are joined wrongly
     CHECK(topology.boundary_loops.size() == 2);
     if (wave == 0.0) {  // the extension is the frustum of a cone
       const double slant = std::hypot(0.3, 0.5 * kRadius);
