@@ -23,15 +23,15 @@ using Leaf = Tree::LeafNodeType;
 using Accessor = openvdb::tree::ValueAccessor<const Tree, false>;
 using openvdb::Coord;
 
-constexpr int kSide = Leaf::DIM;  // voxels along a leaf
-constexpr float kUnfilled = std::numeric_limits<float>::quiet_NaN();
+constexpr int kSide = Leaf::DIM;                                      // corners along one side of a leaf
+constexpr float kUnfilled = std::numeric_limits<float>::quiet_NaN();  // phi of a corner not computed yet
 
 struct Voxel {
   Leaf* leaf;
   int offset;
 };
 
-/// Finds a filled corner one step before this one along z, y or x, in that order; -1: none.
+/// Finds a filled corner one step before the corner at `offset` along z, y or x, in that order; -1: none.
 int filledNeighbour(const Leaf& leaf, int offset) {
   for (int step = 1; step < kSide * kSide * kSide; step *= kSide)
     if ((offset / step) % kSide > 0 && leaf.isValueOn(static_cast<openvdb::Index>(offset - step))) return offset - step;
@@ -52,13 +52,13 @@ bool isVoxelFilled(const Leaf& leaf, openvdb::Index offset) {
 
 struct LevelSet::Data {
   LevelSetOptions options;
-  double per_voxel;    // 1/m
-  double corner_band;  // m: distance of the surface up to which corners are exact; enough for samples within the band
-  float far;           // m: corner_band in single precision, the |phi| that corners beyond it hold
+  double per_voxel;    // 1 / side of a voxel, 1/m
+  double corner_band;  // m: corners up to this far from the surface are exact; enough for samples within the band
+  float far;           // m: corner_band in single precision: |phi| of the corners beyond it
   VoxelMarks marks;
   openvdb::FloatGrid::Ptr grid;
-  std::vector<Leaf*> leaves;         // leaf l has transientData() l
-  std::vector<VoxelCorner> corners;  // leaf l: corners[512 l] ... in the order of its buffer, which holds phi too
+  std::vector<Leaf*> leaves;         // transientData() of leaf l is l
+  std::vector<VoxelCorner> corners;  // those of leaf l begin at 512 l, in the order of its buffer, which holds phi too
   std::vector<int> nearest;          // triangle nearest to each corner; -1 beyond the band
   const TriangleTree* body = nullptr;
   Eigen::AlignedBox3d reach;                   // m: outside this box every distance is beyond the band
@@ -139,7 +139,7 @@ void LevelSet::Data::resizeCorners() {
   nearest.resize(corners.size());
 }
 
-/// Computes distances and their signs by pseudonormals, which are right except where the surface overlaps itself.
+/// Computes signed distances.  Their signs come from pseudonormals: wrong only where the surface overlaps itself.
 void LevelSet::Data::fillLeaf(Leaf& leaf) {
   const int* filled = &nearest[leaf.transientData() * size_t{Leaf::SIZE}];
   const float* phi = leaf.buffer().data();
@@ -151,7 +151,7 @@ void LevelSet::Data::fillLeaf(Leaf& leaf) {
       if ((x - found.point).dot(found.pseudonormal) < 0.0) found.distance = -found.distance;
       std::atomic_ref(nearest_to_some[found.triangle]).store(1, std::memory_order_relaxed);
     } else {
-      // A corner beyond the band has the sign of its neighbour if that is beyond the band too: no surface lies between.
+      // Two neighbours beyond the band have equal signs, because no surface lies between them.
       const bool has_known_sign = before >= 0 && filled[before] < 0;
       if (has_known_sign ? phi[before] < 0.0f : body->windingNumber(x) > 0) found.distance = -found.distance;
     }
@@ -181,7 +181,7 @@ void LevelSet::Data::fillVoxel(const Voxel& voxel) {
 
 Vec3 LevelSet::Data::gradientAt(const Vec3& x, const ClosestPoint& found) const {
   if (found.triangle < 0) return Vec3::Zero();
-  // On the surface the direction to the closest point is round-off; the pseudonormal takes its place.
+  // On the surface the direction to the closest point is only round-off, so the pseudonormal replaces it.
   const bool on_surface = std::abs(found.distance) < 1e-7 * options.voxel;
   return on_surface ? found.pseudonormal.normalized() : Vec3((x - found.point) / found.distance);
 }

@@ -17,7 +17,7 @@ float square(float a) {
   return a * a;
 }
 
-/// A point in single precision relative to the centre, to be compared with boxes and triangles.
+/// A point in single precision relative to the surface's centre, for comparison with boxes and triangles.
 struct FloatPoint {
   std::array<float, 3> x;
   double slack;  // m: upper bound of the round-off in a distance
@@ -28,19 +28,19 @@ struct FloatPoint {
     slack = tree.slack + 1e-6 * relative.cwiseAbs().maxCoeff();
   }
 
-  /// Upper bound of the squared distance in single precision if the exact squared distance is at most `squared`.
+  /// Upper bound of the squared distance computed in single precision if the exact one is at most `squared` (m^2).
   float bound(double squared) const {
     const double distance = std::sqrt(squared) + slack;
     return static_cast<float>(distance * distance * (1.0 + 1e-6));
   }
 };
 
-/// Distance of x from the interval from `low` to `high`.
+/// Distance of the number x from the interval [low, high].
 inline float outside(float x, float low, float high) {
   return floatMax(floatMax(low - x, x - high), 0.0f);
 }
 
-/// Computes the squared distances from the point to the node's boxes.
+/// Computes the squared distances from the point to the node's eight boxes, m^2.
 inline NearLanes boxDistances(const TreeNode& node, const FloatPoint& p, float bound, FloatLanes& squared) {
   const float x = p.x[0], y = p.x[1], z = p.x[2];
   for (int k = 0; k < kWidth; ++k)
@@ -50,14 +50,14 @@ inline NearLanes boxDistances(const TreeNode& node, const FloatPoint& p, float b
   return nearLanes(squared, bound);
 }
 
-/// Squared distance of the point d from the segment from 0 to e.
+/// Squared distance of the point d from the segment between the origin and e, m^2.  `inverse_square` is 1 / |e|^2.
 inline float segmentDistance(float dx, float dy, float dz, float ex, float ey, float ez, float inverse_square) {
   const float s = floatMin(floatMax((dx * ex + dy * ey + dz * ez) * inverse_square, 0.0f), 1.0f);
   return square(dx - s * ex) + square(dy - s * ey) + square(dz - s * ez);
 }
 
-/// Computes the squared distances from the point to the leaf's triangles: to the plane if the point projects into the
-/// triangle, else to the nearest edge.
+/// Computes the squared distances from the point to the leaf's eight triangles, m^2: to the plane of a triangle if the
+/// point projects into it, else to its nearest edge.
 inline NearLanes triangleDistances(const TreeLeaf& leaf, const FloatPoint& p, float bound, FloatLanes& squared) {
   for (int k = 0; k < kWidth; ++k) {
     const float dx = p.x[0] - leaf.corner[0][k], dy = p.x[1] - leaf.corner[1][k], dz = p.x[2] - leaf.corner[2][k];
@@ -82,8 +82,8 @@ struct Nearest {
   TrianglePoint at;
 };
 
-/// Depth-first search, nearest child first, for the closest point among triangles for which accepts(triangle, point)
-/// returns true.
+/// Searches for the closest point among the triangles for which accepts(triangle, point) returns true: depth first, the
+/// nearest child first.
 template <class Accepts>
 class Search {
  public:
@@ -109,7 +109,7 @@ class Search {
  private:
   static constexpr int kNone = std::numeric_limits<int>::min();  // no child
 
-  /// Returns the nearest child within the bound and puts the others within it on the stack; kNone: there is none.
+  /// Returns the nearest child within the bound, or kNone, and puts the others within the bound on the stack.
   int visitNode(const TreeNode& node) {
     alignas(32) FloatLanes squared;
     const auto [near, smallest] = boxDistances(node, p_, bound_, squared);
@@ -204,7 +204,7 @@ int edgeCrossing(const TriangleTree::Data& tree, const Vec3& x, int axis, int i,
   return twice_area < 0.0 ? -sign : 0;
 }
 
-/// +1 where the ray from x along the positive `axis` leaves through triangle t, -1 where it enters.
+/// Returns +1 if the ray from x along the positive `axis` leaves the body through triangle t, -1 if it enters, else 0.
 int rayCrossing(const TriangleTree::Data& tree, const Vec3& x, int axis, int t) {
   int crossing = 0;
   for (int k = 0; k < 3; ++k)
@@ -214,7 +214,7 @@ int rayCrossing(const TriangleTree::Data& tree, const Vec3& x, int axis, int t) 
   return ahead > 0.0 ? crossing : 0;
 }
 
-/// Winding number at x from a ray along the positive `axis`, without triangle `skipped`.
+/// Computes the winding number at x by a ray along the positive `axis`; leaves out triangle `skipped` (-1: none).
 int windingAlong(const TriangleTree::Data& tree, const Vec3& x, int axis, int skipped) {
   Eigen::AlignedBox3d ray(x, x);
   FloatBox box = tree.relative(ray);
@@ -247,7 +247,7 @@ int TriangleTree::windingNumber(const Vec3& x) const {
 int TriangleTree::windingOutside(int triangle, const Vec3& point) const {
   const Data& tree = *data_;
   const Vec3 centroid = (corner(tree, triangle, 0) + corner(tree, triangle, 1) + corner(tree, triangle, 2)) / 3.0;
-  constexpr double kInward = 1e-3;  // of the way to the centroid: off the edges, which neighbours share
+  constexpr double kInward = 1e-3;  // share of the way to the centroid: moves off the edges, which neighbours share
   const Vec3 inner = point + kInward * (centroid - point);
   int axis = 0;
   tree.normals[triangle].cwiseAbs().maxCoeff(&axis);
@@ -268,7 +268,7 @@ ClosestPoint TriangleTree::closestOfUnion(const Vec3& x, double max_distance, in
     if (!outer_side) found.distance = -found.distance;
     return found;
   }
-  // No surface lies between x and the point found, so that the winding number at x is that on the point's near side.
+  // No surface lies between x and the point found, so the winding number at x also holds on the point's near side.
   const int winding = windingNumber(x);
   const bool exposed = (outer_side ? winding : winding - 1) == 0;
   if (!exposed) {

@@ -10,18 +10,18 @@ namespace ease {
 namespace {
 
 /// Sorts the triangles into leaves of eight and the leaves into nodes of eight, by repeated halving along the longest
-/// axis of the centroids' bounding box.  All leaves but the last are full, and so are all nodes but the last of a
+/// axis of the centroids' bounding box.  All leaves except the last are full; so are all nodes except the last of each
 /// level.
 struct Builder {
   const std::vector<Vec3>& centroids;
-  std::vector<int>& order;  // triangles; leaf l holds order[8 l] ... order[8 l + 7]
+  std::vector<int>& order;  // triangles in tree order; leaf l holds order[8 l] ... order[8 l + 7]
   std::vector<TreeNode>& nodes;
 
   struct Range {
-    int first, count;  // leaves
+    int first, count;  // first leaf, number of leaves
   };
 
-  /// Builds the node above these leaves, with all nodes below it; returns its number.
+  /// Builds the node that covers these leaves and all nodes below it; returns its number.
   int build(Range range) {
     int unit = 1;
     while (unit * kWidth < range.count) unit *= kWidth;
@@ -40,7 +40,7 @@ struct Builder {
   /// Splits the leaves into up to eight parts of `unit` leaves; the last part may be smaller.
   void split(Range range, int unit, std::vector<Range>& parts) {
     const int units = (range.count + unit - 1) / unit;
-    if (units == 0) return;  // of a surface without triangles
+    if (units == 0) return;  // the surface has no triangles
     if (units == 1) {
       parts.push_back(range);
       return;
@@ -79,7 +79,7 @@ void collectFans(TriangleTree::Data& tree) {
   }
 }
 
-/// Finds the triangle other than t with the lowest number that holds edge (a, b); -1: none.
+/// Finds the triangle with the lowest number, other than t, that has the edge (a, b); -1: none.
 int otherTriangle(const TriangleTree::Data& tree, int t, int a, int b) {
   for (int i = tree.fan_begin[a]; i < tree.fan_begin[a + 1]; ++i) {
     const int s = tree.fan[i];
@@ -122,7 +122,7 @@ void buildNodes(TriangleTree::Data& tree) {
 }
 
 using DoubleLanes = Eigen::Array<double, kWidth, 1>;  // one value for each of a leaf's triangles
-using DoubleLanes3 = std::array<DoubleLanes, 3>;      // by coordinate
+using DoubleLanes3 = std::array<DoubleLanes, 3>;      // one for each coordinate
 
 Eigen::Map<Eigen::Array<float, kWidth, 1>> arrayOf(FloatLanes& lanes) {
   return Eigen::Map<Eigen::Array<float, kWidth, 1>>(lanes.data());
@@ -158,7 +158,7 @@ void refitLeaf(TriangleTree::Data& tree, TreeLeaf& leaf) {
     arrayOf(leaf.edge_1[axis]) = edge_1[axis].cast<float>();
     arrayOf(leaf.edge_2[axis]) = edge_2[axis].cast<float>();
   }
-  DoubleLanes3 normal;  // at first multiplied by the double area
+  DoubleLanes3 normal;  // normal times double area; normalised below
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     normal[i] = edge_1[j] * edge_2[k] - edge_1[k] * edge_2[j];
@@ -226,8 +226,8 @@ void TriangleTree::refit(const Positions& positions) {
   for (Eigen::Index v = 0; v < positions.rows(); ++v) tree.bounds.extend(positions.row(v).transpose());
   if (!tree.bounds.isEmpty()) {
     tree.centre = tree.bounds.center();
-    // A coordinate rounds by at most 6e-8 of its size; the sums of products that are compared add up a dozen such
-    // errors.
+    // A coordinate rounds by at most 6e-8 of its size; the sums of products that are compared collect about a dozen
+    // such errors.
     tree.slack = static_cast<float>(1e-6 * 0.5 * tree.bounds.sizes().maxCoeff());
   }
   parallelFor(static_cast<int>(tree.leaves.size()), 128, [&](int l) { refitLeaf(tree, tree.leaves[l]); });

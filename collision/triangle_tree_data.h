@@ -1,9 +1,10 @@
-// Memory layout of the tree over the triangles: eight boxes a node, eight triangles a leaf, as structures of arrays.
+// Memory layout of the tree over the triangles: each node has eight boxes, each leaf eight triangles, both stored as
+// structures of arrays.
 //
-// A lane is one of the eight.  Boxes and triangles are kept in single precision, relative to the surface's centre; they
-// serve only to discard what is too far away.  What they cannot discard is computed in double precision from
-// `positions`.  `slack` is an upper bound of the round-off in single precision, m: a comparison discards only what
-// fails by more than that.
+// A lane is one of the eight.  Boxes and triangles are stored in single precision, relative to the surface's centre,
+// and only serve to discard triangles that are too far away.  The distances to all others are computed in double
+// precision from `positions`.  `slack` is an upper bound of the round-off in single precision, m: a comparison discards
+// a triangle only if it fails by more than that.
 #pragma once
 
 #include <algorithm>
@@ -33,35 +34,36 @@ struct alignas(32) TreeNode {
 };
 
 struct alignas(32) TreeLeaf {
-  FloatLanes3 corner;                             // a of the triangle (a, b, c)
+  FloatLanes3 corner;                             // corner a of the triangle (a, b, c)
   FloatLanes3 edge_1, edge_2;                     // b - a, c - a
-  FloatLanes3 normal;                             // unit; zero where degenerate
+  FloatLanes3 normal;                             // unit length; zero for a degenerate triangle
   FloatLanes double_area;                         // m^2
-  std::array<FloatLanes, 3> inverse_square;       // 1 / |b - a|^2, 1 / |c - a|^2, 1 / |c - b|^2; 0 for no length
-  FloatBox box;                                   // around all eight
-  std::array<int, kWidth> triangle;               // lanes from `count` on repeat the last one
-  std::array<std::array<int, kWidth>, 3> vertex;  // by corner
+  std::array<FloatLanes, 3> inverse_square;       // 1 / |b - a|^2, 1 / |c - a|^2, 1 / |c - b|^2; 0 for length 0
+  FloatBox box;                                   // bounding box of the eight triangles
+  std::array<int, kWidth> triangle;               // numbers of the triangles; lanes from `count` on repeat the last one
+  std::array<std::array<int, kWidth>, 3> vertex;  // corners of the triangles
   int count = 0;
 };
 
 struct TriangleTree::Data {
   Triangles triangles;
   Positions positions;          // m
-  std::vector<Vec3> normals;    // of the triangles, unit; zero where degenerate
+  std::vector<Vec3> normals;    // of the triangles, unit length; zero for a degenerate one
   std::vector<TreeNode> nodes;  // parents come before their children; the first is the root
   std::vector<TreeLeaf> leaves;
   std::vector<int> leaf_of_triangle;
   std::vector<int> fan_begin, fan;  // triangles around vertex v: fan[fan_begin[v]] ... fan[fan_begin[v + 1] - 1]
-  Triangles neighbours;             // of each triangle across the edge that starts at corner k; -1: none
+  Triangles neighbours;             // neighbours(t, k): triangle across the edge of t that starts at corner k; -1: none
   Eigen::AlignedBox3d bounds;
   Vec3 centre = Vec3::Zero();
-  float slack = 0.0f;  // m
+  float slack = 0.0f;  // upper bound of the round-off, m
 
-  /// The box relative to the centre, in single precision.
+  /// Converts the box to single precision, relative to the centre.
   FloatBox relative(const Eigen::AlignedBox3d& box) const;
 };
 
-/// Coordinates of missing and of unbounded boxes.  Infinity will not do: its differences are NaN.
+/// Coordinates of missing boxes and of the open end of unbounded ones.  They are finite because the difference of two
+/// infinities is NaN.
 constexpr float kMissing = 1e30f, kEndless = 1e20f;  // m
 
 inline float floatMax(float a, float b) {
@@ -74,14 +76,14 @@ inline float floatMin(float a, float b) {
 /// Bit of each lane; a set of lanes is the sum of their bits.
 constexpr std::array<unsigned, kWidth> kLaneBit = {1, 2, 4, 8, 16, 32, 64, 128};
 
-/// Which of eight squared distances are small.
+/// Tells which of eight squared distances are small.
 struct NearLanes {
   unsigned near;      // set of the lanes within the bound
   unsigned smallest;  // lane of the smallest distance
 };
 
 inline NearLanes nearLanes(const FloatLanes& squared, float bound) {
-  // Non-negative floats have the order of their bits read as integers.  The last three bits are replaced by the lane.
+  // The bits of non-negative floats, read as integers, sort like the floats.  The lane replaces the last three bits.
   unsigned near = 0;
   std::uint32_t smallest = std::numeric_limits<std::uint32_t>::max();
   for (int k = 0; k < kWidth; ++k) {
@@ -105,7 +107,7 @@ inline unsigned overlappingLanes(const FloatLanes3& low, const FloatLanes3& high
   return lanes;
 }
 
-/// Size of the stack of nodes still to be visited: seven siblings a level, for 14 levels of eight children.
+/// Size of the stack of nodes still to be visited: seven siblings per level, for 14 levels of eight children.
 constexpr int kStackSize = 7 * 14 + 8;
 
 /// Calls visit(leaf) for every leaf whose box comes within round-off of `box`.

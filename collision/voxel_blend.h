@@ -1,14 +1,15 @@
-// Interpolates distance and normal at a sample from the exact ones at the corners of its voxel.
+// Interpolates distance and normal at a sample point from their exact values at the corners of its voxel.
 //
-//   x_i, phi_i      corners of the voxel around x and their exact signed distances, m
+//   x_i, phi_i      corners of the voxel that contains the sample x, and their exact signed distances, m
 //   g_i             exact unit gradients there: (x_i - closest point) / phi_i
 //   w_i             trilinear weights of x
 //
 //   phi(x) = sum w_i [phi_i + g_i . (x - x_i) / 2],      normal(x) = sum w_i g_i, normalised
 //
-// The errors of trilinear interpolation (phi_i alone) and of blended tangent planes (the whole of g_i) are equal and
-// opposite to second order; the error of their mean is of third order where phi is smooth.  Where the corners'
-// gradients disagree, in a fold or at a ridge, no interpolation is right, and the result says so.
+// To second order the error of trilinear interpolation (phi_i without the g_i term) is opposite to that of blended
+// tangent planes (the g_i term without the factor 1/2).  The formula is their mean, whose error is of third order where
+// phi is smooth.  In a fold or at a ridge the corners' gradients disagree and no interpolation is right; the result
+// then has `folded` set.
 #pragma once
 
 #include <cmath>
@@ -18,31 +19,31 @@
 namespace ease {
 
 struct VoxelCorner {
-  float gradient[3];  // unit; zero beyond the band
+  float gradient[3];  // unit length; zero beyond the band
   float phi;          // m
 };
 
-/// Corner 4 i + 2 j + k is i, j, k steps up along x, y, z from the lowest.
+/// Position of a sample in its voxel.  Corner 4 i + 2 j + k is i, j, k steps along x, y, z from the lowest corner.
 struct VoxelCorners {
-  float within[3];  // position of the sample in the voxel by axis, 0 to 1
+  float within[3];  // position of the sample in the voxel along each axis, 0 to 1
   const VoxelCorner* corner[8];
 };
 
 struct VoxelBlend {
   double phi;   // m
   Vec3 normal;  // unit
-  int closest;  // number of the corner closest to the sample
-  bool beyond;  // a corner is beyond the band: only the sign of phi is right
-  bool folded;  // the corners' gradients disagree: phi and normal are wrong
+  int closest;  // number (0 to 7) of the corner closest to the sample
+  bool beyond;  // whether a corner is beyond the band: only the sign of phi is right
+  bool folded;  // whether the corners' gradients disagree: phi and normal are wrong
 };
 
-/// `voxel`: its side, m; `far`: |phi| of a corner beyond the band, m.
+/// Interpolates at the sample.  `voxel` is the side of a voxel, m; `far` is |phi| of a corner beyond the band, m.
 inline VoxelBlend blend(const VoxelCorners& around, double voxel, float far) {
-  constexpr double kAgreement = 0.9;  // length of the mean gradient; below this there is a fold
+  constexpr double kAgreement = 0.9;  // smallest length of the mean gradient without a fold
   using Four = Eigen::Array4f;        // (g, phi)
   const float fx = around.within[0], fy = around.within[1], fz = around.within[2];
-  // Interpolate along z, then along y, then along x.  `along_z`, `along_y`, `along_x`: differences between the upper
-  // and the lower end in that direction.
+  // Interpolates along z, then y, then x.  `along_z`, `along_y` and `along_x` are the differences between the upper and
+  // the lower end in that direction.
   Four at_x[2], along_y[2], along_z[2], largest = Four::Zero();
   for (int i = 0; i < 2; ++i) {
     Four at_y[2], along[2];

@@ -10,22 +10,23 @@ namespace ease {
 
 namespace {
 
-constexpr int kNone = -1, kWanted = 0;  // entries of the table before blocks are numbered
+constexpr int kNone = -1, kWanted = 0;  // entries of the table before its blocks are numbered
 
-/// Sets bits while other threads may do so too.  Does not write if all are set already, which keeps caches valid.
+/// Sets bits atomically, because other threads may set bits of the same word.  Does not write if all are set already,
+/// which keeps the caches of other cores valid.
 void setBits(std::uint64_t& word, std::uint64_t bits) {
   std::atomic_ref shared(word);
   if ((shared.load(std::memory_order_relaxed) & bits) != bits) shared.fetch_or(bits, std::memory_order_relaxed);
 }
 
-/// A byte with bits `low` to `high` set.
+/// Returns a byte with the bits from `low` to `high` set, both included.
 std::uint64_t bitRange(int low, int high) {
   return (0xffull >> (7 - (high - low))) << low;
 }
 
-/// Marks the corners from `low` to `high`, both included, which lie in this block.
+/// Marks the corners from `low` to `high`, both included; all must lie in this block.
 void markWithinBlock(MarkedBlock& block, const GridPoint& low, const GridPoint& high) {
-  constexpr std::uint64_t kOneARow = 0x0101010101010101;  // multiplied by a row: repeats it in every row
+  constexpr std::uint64_t kOneARow = 0x0101010101010101;  // times a row: that row repeated eight times
   const std::uint64_t row = bitRange(low[2] & 7, high[2] & 7);
   const int first = low[1] & 7, rows = (high[1] & 7) - first + 1;
   const std::uint64_t slab = row * ((kOneARow >> (8 * (8 - rows))) << (8 * first));
@@ -34,7 +35,7 @@ void markWithinBlock(MarkedBlock& block, const GridPoint& low, const GridPoint& 
 
 }  // namespace
 
-/// Divides the range by blocks and calls visit(index in the table, low, high) for the part in each block.
+/// Divides the range by blocks and calls visit(index in the table, low, high) for its part in each block.
 template <class Visit>
 void VoxelMarks::visitBlocks(const Range& range, const Visit& visit) const {
   const auto end = [&](int at, int axis) { return std::min(at | 7, range.high[axis]); };

@@ -20,7 +20,7 @@ constexpr int kMaxVertices = 200000;
 
 using Clock = std::chrono::steady_clock;
 
-/// Seconds since the last call or the start; a pause at each.
+/// Measures the seconds since its last call, or since its start at the first call.  Every call is also a pause.
 class Lap {
  public:
   explicit Lap(const Pause& pause) : pause_(pause) {}
@@ -40,7 +40,7 @@ class Lap {
 
 LoopedMesh remeshedGarment(const LoopedMesh& garment, const GarmentTools& tools, const Pause& pause) {
   int vertices = tools.resolution;
-  if (tools.edge_length > 0.0) {  // of an equilateral mesh
+  if (tools.edge_length > 0.0) {  // vertices of a mesh of equilateral triangles: area / (sqrt(3)/2 edge^2)
     const double wanted = totalArea(garment.mesh) / (0.5 * std::sqrt(3.0) * tools.edge_length * tools.edge_length);
     if (wanted > kMaxVertices)
       throw InputError(fmt::format("edge_length = {:g}: {:.0f} vertices: expected at most {}", tools.edge_length,
@@ -50,7 +50,7 @@ LoopedMesh remeshedGarment(const LoopedMesh& garment, const GarmentTools& tools,
   return withLoopNames(remeshedTo(garment.mesh, vertices, "garment", pause), garment);
 }
 
-/// Remeshes first, so that the rows of the extensions begin from evenly spaced vertices.
+/// Remeshes the region, then adds the extensions: their rows thus begin from evenly spaced vertices.
 void addExtensions(const GarmentTools& tools, LoopedMesh& region) {
   constexpr double kShortest = 0.006, kLongest = 0.02;  // m
   const double asked =
@@ -60,7 +60,7 @@ void addExtensions(const GarmentTools& tools, LoopedMesh& region) {
   for (const Extension& extension : tools.extensions) extend(extension, edge, region);
 }
 
-/// The body's triangle under every vertex; -1 where it is further than rounding from the body.
+/// Finds the body's triangle under every vertex; -1 where the vertex is further than kOnSurface from the body.
 std::vector<int> trianglesUnder(const TriangleTree& body, const Positions& positions) {
   constexpr double kOnSurface = 0.01;  // m: edges of the remeshed garment cut through the body's bulges
   std::vector<int> under(positions.rows());

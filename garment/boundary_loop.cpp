@@ -21,7 +21,7 @@ namespace {
   throw InputError(fmt::format("boundary '{}': {}", loop, fault));
 }
 
-/// The heat equation on a surface, factored at first use.
+/// Solves the heat equation on a surface by implicit steps.  The matrix is factored at the first call.
 class Heat {
  public:
   Heat(const TriangleMesh& mesh, double smoothing) : mesh_(mesh), time_(0.5 * smoothing * smoothing) {}
@@ -58,11 +58,11 @@ class Heat {
   }
 
   const TriangleMesh& mesh_;
-  double time_;  // m^2
+  double time_;  // diffusion time, m^2
   std::unique_ptr<GradientSystem> system_;
 };
 
-/// Where a curve passes triangle by triangle: the triangle after each point.
+/// Lists the triangles that a curve passes: entry i is the triangle between points i and i + 1.
 std::vector<int> trianglesAlong(const EdgeCurve& curve, const Topology& topology) {
   const int n = static_cast<int>(curve.points.size());
   std::vector<int> triangles(n);
@@ -74,7 +74,8 @@ std::vector<int> trianglesAlong(const EdgeCurve& curve, const Topology& topology
   return triangles;
 }
 
-/// Place of a point around a triangle's border, 0 to 3.
+/// Position of a point along a triangle's border, 0 to 3: k + s lies at the share s of the edge from corner k to k + 1.
+/// Returns -1 if the point is on none of the edges.
 double placeAround(const EdgePoint& p, int triangle, const Triangles& triangles) {
   for (int k = 0; k < 3; ++k) {
     const int a = triangles(triangle, k), b = triangles(triangle, (k + 1) % 3);
@@ -84,7 +85,8 @@ double placeAround(const EdgePoint& p, int triangle, const Triangles& triangles)
   return -1.0;
 }
 
-/// Whether two passages through one triangle cross or touch.
+/// Whether the curve crosses or touches itself: it passes a triangle twice, and the ends of the two passages alternate
+/// around the triangle's border or coincide.
 bool crossesItself(const EdgeCurve& curve, const std::vector<int>& passed, const Triangles& triangles) {
   const int n = static_cast<int>(curve.points.size());
   std::vector<std::pair<int, int>> passages;  // triangle, point
@@ -105,16 +107,18 @@ bool crossesItself(const EdgeCurve& curve, const std::vector<int>& passed, const
   return false;
 }
 
-/// On which side of a closed curve every vertex lies, +1 on its left; empty where it does not divide the surface.
+/// Side of a closed curve on which each vertex lies: +1 left, -1 right.  Empty if the curve does not divide the
+/// surface.
 std::vector<signed char> sidesOf(const EdgeCurve& curve, const std::vector<int>& passed, const Triangles& triangles,
                                  const Topology& topology, Eigen::Index vertices) {
-  std::vector<char> is_odd(topology.edges.size(), 0);  // crossed an odd number of times
+  std::vector<char> is_odd(topology.edges.size(), 0);  // edges that the curve crosses an odd number of times
   for (const EdgePoint& p : curve.points) is_odd[p.edge] ^= 1;
   std::vector<std::vector<int>> edges_of(vertices);
   for (size_t e = 0; e < topology.edges.size(); ++e)
     for (const int v : topology.edges[e].vertex) edges_of[v].push_back(static_cast<int>(e));
 
-  // Of the first edge that is crossed once, the end that the triangle ahead has second (counter-clockwise) lies right.
+  // The search starts at an edge through which the curve enters a triangle.  The end of this edge that comes first
+  // counter-clockwise in the triangle lies left of the curve.
   std::vector<signed char> side(vertices, 0);
   std::deque<int> front;
   for (size_t i = 0; i < curve.points.size() && front.empty(); ++i) {
@@ -143,8 +147,8 @@ std::vector<signed char> sidesOf(const EdgeCurve& curve, const std::vector<int>&
   return side;
 }
 
-/// Distance to the curve with a sign, at most `reach` in size.  Vertices that the curve does not come near, counted
-/// along edges from those it crosses, are `reach` away.
+/// Signed distance of each vertex to the curve, m, limited to +-`reach`.  The search spreads from the crossed edges to
+/// neighbours and stops at vertices further than `reach`; all others have the limit value.
 std::vector<double> signedDistances(const EdgeCurve& curve, const std::vector<signed char>& side,
                                     const TriangleMesh& mesh, const Topology& topology, double reach) {
   const std::vector<Vec3> points = placed(curve, mesh.positions);
@@ -170,7 +174,7 @@ std::vector<double> signedDistances(const EdgeCurve& curve, const std::vector<si
   return values;
 }
 
-/// Mean distance of a few points from the curve, m.
+/// Mean distance of the points from the curve, m.
 double meanDistance(const EdgeCurve& curve, const Positions& positions, const std::vector<Vec3>& points) {
   const std::vector<Vec3> polygon = placed(curve, positions);
   double sum = 0.0;

@@ -1,13 +1,15 @@
-// Tool 1: closed loops on the body, along which the garment ends.
+// Tool 1: closed loops on the body, where the garment ends.
 //
-// A loop is given by points or vertices, joined in their order by shortest paths, or by a plane.  The joined paths are
-// smoothed as the zero line of a function on the surface,
+// A loop is given by points or vertices, which shortest paths join in their order, or by a plane.  The joined paths
+// are smoothed as the zero line of a function u on the surface:
 //
-//   u_0   signed distance to the paths, m, at most +-4 s;  u = the heat equation's solution after s^2 / 2, from u_0
 //   s     smoothing length, m: corners are rounded on this scale
+//   u_0   signed distance to the paths, m, limited to +-4 s
+//   u     solution of the heat equation at time s^2 / 2 that starts from u_0
 //
-// by two implicit steps, (M + h L) u' = M u, with the surface's mass matrix and Laplacian.  The zero line of u moves as
-// by curvature flow for a short while (Merriman, Bence and Osher 1992), crosses edges only, and never itself.
+// Two implicit steps compute it, (M + h L) u' = M u, with time step h, mass matrix M and Laplacian L of the surface.
+// Diffusion moves the zero line approximately by curvature flow (Merriman, Bence and Osher 1992).  A zero line crosses
+// edges of the mesh but never itself.
 #pragma once
 
 #include <optional>
@@ -19,13 +21,13 @@
 
 namespace ease {
 
-/// A plane, and which of the lines along which it cuts a surface is meant: the one nearest to a point.
+/// A plane that cuts a surface.  If it cuts along several lines, the line nearest to the point `near` is meant.
 struct PlaneNear {
-  Vec3 point, normal;  // m; any length
+  Vec3 point, normal;  // m; the normal may have any length
   Vec3 near;           // m
 };
 
-/// How a loop is asked for: exactly one of the three.
+/// Request for a loop: exactly one of points, vertices and plane is given.
 struct LoopRequest {
   std::string name;
   std::vector<Vec3> points;   // m
@@ -38,10 +40,10 @@ struct BoundaryLoop {
   EdgeCurve curve;  // on the body's edges
 };
 
-/// The loops, in the order of the requests.  `smoothing`: s, m.  Throws InputError naming the loop: fewer than three
-/// points, a point far from the body, a vertex that the body does not have, points on parts that are not connected, a
-/// loop that crosses itself or does not divide the body in two, one so small that smoothing leaves nothing, a plane
-/// that cuts nothing.
+/// Finds the loops, in the order of the requests.  `smoothing` is the length s, m.  Throws InputError naming the loop
+/// if it has fewer than three points, a point far from the body, a vertex that the body does not have or points on
+/// parts that are not connected; if it crosses itself or does not divide the body in two; if it is so small that
+/// smoothing leaves nothing; or if its plane cuts nothing.
 std::vector<BoundaryLoop> findLoops(const TriangleMesh& body, const Topology& topology,
                                     const std::vector<LoopRequest>& requests, double smoothing);
 

@@ -1,4 +1,4 @@
-// A brush: acts on all within a ball, in full within half its radius, then fading smoothly to nothing.
+// A brush acts inside a ball: fully within half its radius, then fading smoothly to nothing at the radius.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +10,11 @@ namespace ease {
 struct Brush {
   Vec3 at;        // m
   double radius;  // m
-  double value;   // what is painted: a scale factor, an offset in m
+  double value;   // the painted value: a scale factor, or an offset in m
 };
 
-/// 1 within half the radius, 0 beyond the radius, and a cubic between that joins both smoothly.
+/// Weight of the brush at `x`: 1 within half the radius, 0 beyond the radius, and between them a cubic that joins both
+/// smoothly.
 inline double brushWeight(const Brush& brush, const Vec3& x) {
   const double s = std::clamp(2.0 * (1.0 - (x - brush.at).norm() / brush.radius), 0.0, 1.0);
   return s * s * (3.0 - 2.0 * s);

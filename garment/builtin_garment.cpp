@@ -16,15 +16,15 @@
 namespace ease {
 namespace {
 
-constexpr int kMinVertices = 300, kMaxVertices = 100000;  // vertices
-constexpr double kWidestOffset = 0.05;                    // m
-constexpr double kBeyondCut = 0.025;                      // m: the uncut surface ends this far behind the planes
+constexpr int kMinVertices = 300, kMaxVertices = 100000;
+constexpr double kWidestOffset = 0.05;  // m
+constexpr double kBeyondCut = 0.025;    // m: the surface reaches this far past the planes before it is cut
 
-/// A garment's shape: what is added to the body, and where it is cut.
+/// Shape of a garment: what is added to the body, and where the result is cut.
 struct Pattern {
-  Limb filler;        // bridges the hollow of the back, or makes the skirt
-  double blend;       // m
-  double hem;         // y, m
+  Limb filler;        // shape added to the body: bridges the hollow of the back, or forms the skirt
+  double blend;       // width of the rounded joint of body and filler, m
+  double hem;         // height y of the hem, m
   Vec3 lower, upper;  // corners of a box that holds the garment, m
 };
 
@@ -48,8 +48,8 @@ Pattern findPattern(const std::string& name) {
   throw InputError(fmt::format("there is no built-in garment \"{}\"; there are \"t-shirt\" and \"dress\"", name));
 }
 
-/// Neck, sleeves, hem.  The neck's plane leans forward and rises with the offset, to pass above the shoulders; the
-/// sleeves' lean outwards as they go down, to pass beside a skirt.
+/// Planes that cut the garment at neck, sleeves and hem.  The neck's plane leans forward and rises with the offset, so
+/// that it passes above the shoulders.  The sleeves' planes lean so that they pass beside a skirt.
 std::vector<Plane> cutsOf(const Pattern& pattern, double offset) {
   constexpr double kLean = 0.25;
   return {{{0.0, 1.47 + offset, 0.0}, Vec3(0.0, 0.90, 0.44).normalized()},
@@ -58,7 +58,7 @@ std::vector<Plane> cutsOf(const Pattern& pattern, double offset) {
           {{0.0, pattern.hem, 0.0}, -Vec3::UnitY()}};
 }
 
-/// How much looser than the offset the garment is at `x`, m: least at the shoulders, most at hem and sleeves.
+/// Distance that the garment keeps at `x` in addition to the offset, m: least at the shoulders, most at the hem.
 double easeAt(const Pattern& pattern, const Vec3& x) {
   constexpr double kShoulderWidth = 0.17;
   const double down = std::clamp((kArmHeight - x.y()) / (kArmHeight - pattern.hem), 0.0, 1.0);
@@ -66,7 +66,7 @@ double easeAt(const Pattern& pattern, const Vec3& x) {
   return kEaseAtShoulder + down * (kEaseAtHem - kEaseAtShoulder) + out * (kEaseAtSleeve - kEaseAtShoulder);
 }
 
-/// The garment as a closed shape, not yet cut.
+/// Signed distance to the garment as a closed shape, before it is cut.
 DistanceField garmentField(const Pattern& pattern, double offset) {
   return [=](const Vec3& x) {
     Distance shape = smoothUnion(mannequinDistance(x), limbDistance(pattern.filler, x), pattern.blend);
@@ -101,7 +101,7 @@ TriangleMesh builtinGarment(const std::string& name, int vertices, double offset
 
   const DistanceField field = garmentField(pattern, offset);
   const std::vector<Plane> cuts = cutsOf(pattern, offset);
-  const double rough_edge = std::sqrt(1.0 / vertices);  // m: of about a square metre
+  const double rough_edge = std::sqrt(1.0 / vertices);  // m: edge length for about a square metre of cloth
   const TriangleMesh uniform = cutGarment(field, pattern, cuts, std::clamp(rough_edge, 0.006, 0.016));
   TriangleMesh garment = remeshedTo(uniform, vertices, fmt::format("built-in garment \"{}\"", name));
   settleOnSurface(field, cuts, garment);

@@ -1,7 +1,7 @@
 // Garments for the built-in body, made on its T-pose.
 //
-// A garment is the surface at a little distance from the body, more at its hem and sleeves, with hollows bridged; the
-// dress widens into a skirt.  Planes cut it at neck, sleeves and hem, then it is remeshed evenly.
+// A garment is the surface at a small distance from the body, a larger one at the hem, with hollows bridged; the dress
+// widens into a skirt.  Planes cut it at neck, sleeves and hem; then it is remeshed evenly.
 #pragma once
 
 #include <string>
@@ -10,9 +10,10 @@
 
 namespace ease {
 
-/// "t-shirt" or "dress" with about `vertices` vertices (within 3 %; 300 to 100,000), evenly sized triangles, four
-/// boundary loops that lie in planes.  Every vertex, edge midpoint and centroid is at least `offset` (m, 0 to 0.05)
-/// outside the mannequin's T-pose.  Throws InputError naming an unknown garment or an impossible number.
+/// Makes the garment called "t-shirt" or "dress" with `vertices` vertices (300 to 100,000; met within 3 %), evenly
+/// sized triangles and four boundary loops that lie in planes.  Every vertex, edge midpoint and centroid is at least
+/// `offset` (m, 0 to 0.05) outside the mannequin's T-pose.  Throws InputError naming an unknown garment or an
+/// impossible number.
 TriangleMesh builtinGarment(const std::string& name, int vertices, double offset);
 
 }  // namespace ease

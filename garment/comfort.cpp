@@ -15,17 +15,18 @@ namespace ease {
 namespace {
 
 constexpr int kSmoothingRounds = 30;
-constexpr int kPatience = 25;  // rounds of moving out before samples settle for less
+constexpr int kPatience = 25;  // rounds after which samples that still lack distance require half of it
 constexpr int kMaxRounds = 300;
-constexpr double kDoubt = 1e-3;      // m: in the last rounds samples with less to spare are measured exactly
-constexpr double kRoomKept = 0.8;    // of half the room between two parts of the body
+constexpr double kDoubt = 1e-3;      // m: in the last rounds, samples with less than this to spare are measured exactly
+constexpr double kRoomKept = 0.8;    // share of half the room between two parts of the body that is used
 constexpr double kOvershoot = 1e-4;  // m: without it the last micrometres would take many rounds
-constexpr double kBand = 0.06;       // m beyond the largest offset: how deep the garment may begin inside the body
+constexpr double kBand = 0.06;       // m: band of the level set beyond the largest offset; deepest start in the body
 constexpr double kVoxel = 0.01;      // m
-constexpr double kFarthest = 0.2;    // m
-constexpr double kOnSurface = 1e-6;  // m
+constexpr double kFarthest = 0.2;    // m: limit of the search for the closest point
+constexpr double kOnSurface = 1e-6;  // m: nearer points give no direction by their closest point
 
-/// What every vertex is smoothed with: on a loop its two neighbours there, elsewhere all.
+/// Lists the vertices that each vertex is smoothed with: its two neighbours on the loop if it lies on one, else all its
+/// neighbours.
 std::vector<std::vector<int>> smoothingNeighbours(const LoopedMesh& garment, const Topology& topology) {
   std::vector<std::vector<int>> neighbours =
       vertexNeighbours(topology, static_cast<int>(garment.mesh.positions.rows()));
@@ -47,7 +48,7 @@ class Mover {
         start_(garment.mesh.positions),
         level_set_({kVoxel, *std::max_element(offsets.begin(), offsets.end()) + kBand}) {}
 
-  /// Returns the number of vertices that lack room.
+  /// Moves the garment clear of the body.  Returns the number of vertices whose offset was reduced for lack of room.
   int operator()(std::vector<double> offsets) {
     contact_samples_.positions(garment_.mesh.positions, samples_);
     level_set_.build(body_, samples_, 0.0);
@@ -72,13 +73,14 @@ class Mover {
     });
   }
 
-  /// Reduces offsets where two parts of the body face each other with too little room; returns how many.
+  /// Reduces the offsets of vertices where two parts of the body face each other with too little room between them.
+  /// Returns the number of such vertices.
   ///
   ///   |<- phi_0 ->x------ d ----->y<- phi_1 ->|     x: vertex, y: x moved out by d = offset - phi_0
   ///   part 0                           part 1       c = n_0 . n_1 < 0
   ///
-  /// Moving out by s from x changes the distance to part 1 from phi_1 - d c to phi_1 - d c + s c.  It equals the
-  /// distance phi_0 + s to part 0 in the middle: s = (phi_1 - d c - phi_0) / (1 - c).
+  /// A vertex that moves out by s from x has the distances phi_0 + s to part 0 and phi_1 - d c + s c to part 1.  They
+  /// are equal in the middle, where s = (phi_1 - d c - phi_0) / (1 - c).
   int limitToRoom(std::vector<double>& offsets) {
     const int n = static_cast<int>(offsets.size());
     std::vector<LevelSetSample> here(n), there(n);
@@ -112,13 +114,14 @@ class Mover {
     });
   }
 
-  /// Samples that still lack distance are in folds too narrow for their triangles: they settle for less.
+  /// Halves the distance required of samples that still lack it: they lie in folds too narrow for their triangles.
   void giveWay() {
     for (size_t s = 0; s < samples_.size(); ++s)
       if (found_[s].phi < wanted_[s]) wanted_[s] *= 0.5;
   }
 
-  /// Every vertex follows the worst of the samples that it carries; false if nothing had to move.
+  /// Moves each vertex out by the largest lack of distance among the samples that depend on it.  Returns false if
+  /// nothing had to move.
   bool pushOut(bool exactly) {
     lookUp(exactly);
     std::vector<double> most(garment_.mesh.positions.rows(), 0.0);
@@ -149,7 +152,7 @@ class Mover {
   ContactSamples contact_samples_;
   Positions start_;
   LevelSet level_set_;
-  std::vector<double> wanted_;  // of every sample, m
+  std::vector<double> wanted_;  // distance required of each sample, m
   std::vector<Vec3> samples_;
   std::vector<LevelSetSample> found_;
 };

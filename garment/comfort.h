@@ -13,16 +13,17 @@ namespace ease {
 /// on the result of earlier ones.  Throws InputError naming the number of a brush that touches no vertex.
 std::vector<double> comfortOffsets(const Positions& positions, double offset, const std::vector<Brush>& regions);
 
-/// Moves the garment out until every vertex, edge midpoint and centroid is its offset, the mean of its vertices', away
-/// from the body's union.
+/// Moves the garment out until every vertex, edge midpoint and centroid keeps its offset from the body's union.  The
+/// offset of a midpoint or centroid is the mean of its vertices' offsets.
 ///
-///   x = x_0 + d    d smoothed over neighbours, along the loops over neighbours in the loop, then out along the level
-///                  set's normal wherever a sample lacks distance; again and again, at last by exact distances
+///   x = x_0 + d    x: position of a vertex, x_0: its position at the start, d: its displacement, m
 ///
-/// Smoothing d and not x leaves the garment its shape and the triangles theirs.  Where parts of the body face each
-/// other with less room than two offsets (thighs), the garment keeps to the middle; returns how many vertices do so.
-/// Where triangles are too large for a fold, samples settle for less, but not for a place inside the body: throws
-/// ComputationError if there is none.
+/// Each round first smooths d over the neighbours of a vertex (on a loop, over its neighbours there), then moves
+/// vertices along the level set's normal wherever a sample lacks distance.  The last rounds do not smooth and measure
+/// distances exactly.  Smoothing d instead of x keeps the shape of the garment and of its triangles.  Where two parts
+/// of the body leave less room than two offsets (thighs), the garment keeps near the middle; returns how many vertices
+/// do so.  Where triangles are too large for a fold, samples accept a smaller distance, but none inside the body:
+/// throws ComputationError if they find no such place.
 int moveClear(const TriangleTree& body, const std::vector<double>& offsets, LoopedMesh& garment);
 
 }  // namespace ease

@@ -15,13 +15,13 @@ namespace {
 
 using Polygon = std::vector<int>;  // vertices, counter-clockwise
 
-/// A curve's passage through a triangle.
+/// Part of a curve that crosses one triangle, from border to border.
 struct Chord {
   int from, to;  // vertices
   int curve;
 };
 
-/// Smallest height of triangle (a, b, c) by its longest side, m.
+/// Smallest height of triangle (a, b, c), m: the one on its longest side.
 double leastHeight(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
   return longest > 0.0 ? doubleAreaNormal(a, b, c).norm() / longest : 0.0;
@@ -86,7 +86,7 @@ class Cutter {
                                  loops_[std::min(p, q)].name, loops_[std::max(p, q)].name));
   }
 
-  /// The triangle's corners and the points on its edges, in order.
+  /// Lists the triangle's corners and the curve points on its edges counter-clockwise.
   Polygon outline(int t) const {
     Polygon outline;
     for (int k = 0; k < 3; ++k) {
@@ -129,7 +129,7 @@ class Cutter {
     refuseCrossing(chord.curve, chord.curve);
   }
 
-  /// Cuts off the roundest ear again and again.
+  /// Triangulates the polygon: repeatedly cuts off the ear whose smallest height is largest.
   void triangulate(Polygon& polygon, int t) {
     while (polygon.size() >= 3) {
       const int n = static_cast<int>(polygon.size());

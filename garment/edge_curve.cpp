@@ -6,13 +6,13 @@
 namespace ease {
 namespace {
 
-constexpr double kFromEnds = 0.02;  // of an edge's length: no point is nearer to a vertex
+constexpr double kFromEnds = 0.02;  // smallest distance of a point from the ends of its edge, in edge lengths
 
 /// Follows one isoline from edge to edge.
 struct IsolineWalk {
   const Topology& topology;
   std::span<const double> values;
-  std::vector<char> visited;  // edges
+  std::vector<char> visited;  // by edge: whether an isoline has passed it
 
   bool isCrossed(int edge) const {
     const auto [a, b] = topology.edges[edge].vertex;
@@ -25,7 +25,7 @@ struct IsolineWalk {
     return {edge, {a, b}, std::clamp(t, kFromEnds, 1.0 - kFromEnds)};
   }
 
-  /// The other edge of the triangle that is crossed.
+  /// Finds the other edge of the triangle that the isoline crosses; -1: none.
   int across(int triangle, int edge) const {
     for (int k = 0; k < 3; ++k) {
       const int other = topology.triangle_edges(triangle, k);
@@ -83,7 +83,7 @@ std::vector<EdgeCurve> isolines(const Topology& topology, std::span<const double
   const int edges = static_cast<int>(topology.edges.size());
   IsolineWalk walk{topology, values, std::vector<char>(edges, 0)};
   std::vector<EdgeCurve> curves;
-  // Open ones first: they must be followed from an end.
+  // Open isolines first, because they must be followed from an end.
   for (const bool from_boundary : {true, false})
     for (int e = 0; e < edges; ++e)
       if (!walk.visited[e] && walk.isCrossed(e) && (!from_boundary || topology.edges[e].isBoundary()))

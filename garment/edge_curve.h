@@ -2,8 +2,8 @@
 //
 //   point   (1 - t) x_a + t x_b on edge (a, b), a < b, 0 < t < 1
 //
-// Two points that follow each other lie on two edges of one triangle, so that a curve knows which triangles it passes
-// and goes along with the mesh into every pose.
+// Two consecutive points lie on two edges of one triangle.  So the triangles that a curve passes are known, and the
+// curve moves with the mesh in every pose.
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@
 namespace ease {
 
 struct EdgePoint {
-  int edge;  // of the topology
+  int edge;  // index in the topology
   std::array<int, 2> vertex;
   double t;
 };
 
 struct EdgeCurve {
   std::vector<EdgePoint> points;
-  bool is_closed = true;  // the last point is followed by the first; otherwise both lie on the boundary or inside
+  bool is_closed = true;  // the first point follows the last; if false, the curve ends at both
 };
 
 /// The curve's points in a pose, m.
@@ -34,9 +34,9 @@ double polygonLength(std::span<const Vec3> points, bool is_closed);
 /// Distance from `x` to the polygon, m.
 double polygonDistance(std::span<const Vec3> points, bool is_closed, const Vec3& x);
 
-/// Where the piecewise linear function of these values, one a vertex, is zero: every connected piece of it, closed ones
-/// and those that run from boundary to boundary.  They cross each other and themselves nowhere.  Points within 2 % of
-/// an edge's length of its ends are moved that far from them.
+/// Finds the zero lines of the piecewise linear function with these values, one per vertex.  Each connected line is one
+/// curve: closed, or from boundary to boundary.  Zero lines never cross each other or themselves.  A point nearer to a
+/// vertex than 2 % of its edge's length is moved to that distance.
 std::vector<EdgeCurve> isolines(const Topology& topology, std::span<const double> values);
 
 }  // namespace ease

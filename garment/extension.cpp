@@ -12,7 +12,7 @@
 namespace ease {
 namespace {
 
-/// Mean direction from the garment's inside to its loop, across the loop's edges.
+/// Computes the mean direction that leads out of the garment across the edges of its loop.
 Vec3 awayFromGarment(const LoopedMesh& garment, const std::vector<int>& loop) {
   const Topology topology = buildTopology(garment.mesh, "garment");
   std::vector<char> is_in_loop(garment.mesh.positions.rows(), 0);
@@ -32,7 +32,7 @@ Vec3 displacement(const Extension& extension, const LoopedMesh& garment, const N
   const std::vector<Vec3> points = positionsOf(loop.vertices, garment.mesh.positions);
   const Vec3 area = vectorArea(points);
   const double perimeter = polygonLength(points, true);
-  constexpr double kMinArea = 1e-3;  // of the squared perimeter; a circle has 0.08
+  constexpr double kMinArea = 1e-3;  // smallest |A| of a loop with an axis, in squared perimeters; a circle has 0.08
   if (area.norm() < kMinArea * perimeter * perimeter)
     throw InputError(fmt::format(
         "extension: loop '{}' has no axis, its vector area is {:.2g} m^2: expected 'to' instead of 'length'", loop.name,
@@ -41,7 +41,7 @@ Vec3 displacement(const Extension& extension, const LoopedMesh& garment, const N
   return extension.length * towards * area.normalized();
 }
 
-/// Whether the garment's triangle at the loop's first edge goes along it.
+/// Whether the garment's triangle at the loop's first edge has that edge in the loop's direction.
 bool triangleGoesAlong(const TriangleMesh& mesh, const std::vector<int>& loop) {
   for (const auto& t : mesh.triangles.rowwise())
     for (int k = 0; k < 3; ++k)

@@ -10,7 +10,7 @@
 namespace ease {
 namespace {
 
-/// The cut in whose plane a boundary loop lies: the one that its vertices are nearest to, taken together.
+/// Finds the plane in which a boundary loop lies: the one with the smallest sum of distances to the loop's vertices.
 const Plane& cutOf(const std::vector<Plane>& cuts, const std::vector<int>& loop, const Positions& positions) {
   const auto deviation = [&](const Plane& cut) {
     double sum = 0.0;
@@ -25,7 +25,8 @@ Vec3 intoPlane(const Plane& plane, const Vec3& x) {
   return x - planeDistance(plane, x) * plane.normal;
 }
 
-/// `direction` without its part across the plane, lengthened so that it still leads out by one for each unit of length.
+/// Projects the unit vector `direction` into the plane and lengthens it, so that a step along the result still advances
+/// by 1 along `direction`.  Where the plane is nearly normal to `direction` the length is limited.
 Vec3 alongPlane(const Plane& plane, const Vec3& direction) {
   const Vec3 along = direction - plane.normal.dot(direction) * plane.normal;
   return along / std::max(along.squaredNorm(), 0.1);
@@ -59,13 +60,13 @@ void settleLoop(const DistanceField& field, const Plane& cut, const std::vector<
   for (int i = 0; i < count; ++i) positions.row(loop[i]) = points[i];
 }
 
-/// What a sample of the mesh lacks in clearance, m, and where out is there.
+/// Computes how much clearance the sample `x` lacks, m, and the direction out of the body there.
 Distance lack(const DistanceField& body, double clearance, const Vec3& x) {
   const Distance d = body(x);
   return {clearance - d.value, d.gradient.normalized()};
 }
 
-/// One round of keepClear(); false if nothing had to move.
+/// Makes one round of keepClear().  Returns false if nothing had to move.
 bool pushOut(const DistanceField& body, const std::vector<const Plane*>& plane_of, double clearance,
              TriangleMesh& mesh) {
   const int triangles = static_cast<int>(mesh.triangles.rows());
@@ -79,7 +80,7 @@ bool pushOut(const DistanceField& body, const std::vector<const Plane*>& plane_o
     lacks[i] = lack(body, clearance, x);
   });
 
-  // Every vertex follows the worst of the samples that it carries.
+  // Each vertex moves out by the largest lack of clearance among the samples that depend on it.
   std::vector<Distance> worst(mesh.positions.rows(), {0.0, Vec3::Zero()});
   for (int i = 0; i < kSamples * triangles; ++i)
     for (int k = 0; k < 3; ++k) {
@@ -100,7 +101,7 @@ bool pushOut(const DistanceField& body, const std::vector<const Plane*>& plane_o
 }  // namespace
 
 void settleOnSurface(const DistanceField& field, const std::vector<Plane>& cuts, TriangleMesh& mesh) {
-  // Where edges are about as long as an arm is thick, gliding would cut through it.
+  // If edges are about as long as an arm is thick, evening them out would cut through the arm.
   constexpr double kCoarse = 0.04;  // m
   const Topology topology = buildTopology(mesh, "garment");
   const bool is_coarse = meanEdgeLength(topology, mesh.positions) > kCoarse;
@@ -111,7 +112,7 @@ void settleOnSurface(const DistanceField& field, const std::vector<Plane>& cuts,
 
 void keepClear(const DistanceField& body, const std::vector<Plane>& cuts, double clearance, TriangleMesh& mesh) {
   constexpr int kRounds = 50;
-  constexpr double kMargin = 0.001;  // m: the body's mesh bulges out of its exact surface by up to this in hollows
+  constexpr double kMargin = 0.001;  // m: in hollows the body's mesh protrudes from the exact surface by up to this
   std::vector<const Plane*> plane_of(mesh.positions.rows(), nullptr);
   for (const std::vector<int>& loop : buildTopology(mesh, "garment").boundary_loops) {
     const Plane& cut = cutOf(cuts, loop, mesh.positions);

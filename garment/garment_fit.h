@@ -1,4 +1,4 @@
-// Moves the vertices of a garment onto its exact surface, its boundary into the cutting planes, and both clear of the
+// Moves the vertices of a garment onto its exact surface and its boundary into the cutting planes, then both out of the
 // body.
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace ease {
 
-/// Puts the vertices onto the field's zero surface, evenly spread; those on the boundary glide along the curve where
-/// the surface meets the plane that they lie in.
+/// Spreads the vertices evenly over the field's zero surface.  Boundary vertices slide along the curve in which the
+/// surface meets their cutting plane.
 void settleOnSurface(const DistanceField& field, const std::vector<Plane>& cuts, TriangleMesh& mesh);
 
-/// Moves vertices out until every vertex, edge midpoint and centroid is at least `clearance` (m) and a little more
-/// outside of `body`; those on the boundary stay in their plane.
+/// Moves vertices out until every vertex, edge midpoint and centroid is a little more than `clearance` (m)
+/// outside of `body`; boundary vertices stay in their plane.  Throws ComputationError if the triangles are too large.
 void keepClear(const DistanceField& body, const std::vector<Plane>& cuts, double clearance, TriangleMesh& mesh);
 
 }  // namespace ease

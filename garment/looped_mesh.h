@@ -1,4 +1,4 @@
-// An open mesh with named boundary loops, on which the garment tools work one after the other.
+// An open mesh with named boundary loops.  The garment tools change it one after the other.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace ease {
 
 struct NamedLoop {
   std::string name;
-  std::vector<int> vertices;  // in order, each once
+  std::vector<int> vertices;  // in order along the loop, without repetition
 };
 
 struct LoopedMesh {
@@ -18,14 +18,15 @@ struct LoopedMesh {
   std::vector<NamedLoop> loops;
 };
 
-/// Index of the loop called `name`.  Throws InputError, with `where` and the names that exist, if there is none.
+/// Finds the index of the loop called `name`.  If there is none, throws InputError, which begins with `where` and lists
+/// the names that exist.
 size_t loopNamed(const std::vector<NamedLoop>& loops, const std::string& name, const std::string& where);
 
 /// Positions of these vertices, m.
 std::vector<Vec3> positionsOf(const std::vector<int>& vertices, const Positions& positions);
 
-/// `mesh` with the names of `before`'s loops: each boundary loop has that of the one it lies nearest to.  Throws
-/// ComputationError naming a loop that was lost, as when the mesh is too coarse to pass around an arm.
+/// Names the boundary loops of `mesh` after the loops of `before`: each takes the name of the loop it lies nearest to.
+/// Throws ComputationError naming a loop that was lost, for example if the mesh is too coarse to pass around an arm.
 LoopedMesh withLoopNames(TriangleMesh mesh, const LoopedMesh& before);
 
 }  // namespace ease

@@ -18,7 +18,7 @@
 namespace ease {
 namespace {
 
-/// Smallest and largest angle of triangle t, degrees.
+/// Computes the smallest and the largest angle of triangle t, degrees.
 std::pair<double, double> extremeAngles(const TriangleMesh& mesh, int t) {
   double least = 180.0, most = 0.0;
   for (int k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// How good an authored mesh is: its triangles' shape and size, its distance to the body, whether it crosses itself.
+// Measures the quality of an authored mesh: shape and size of its triangles, self-intersections, distance to the body.
 #pragma once
 
 #include <algorithm>
@@ -13,19 +13,20 @@ namespace ease {
 struct MeshQuality {
   int vertices = 0, triangles = 0;
   double smallest_angle_deg = 0.0, largest_angle_deg = 0.0;
-  double share_from_20_deg = 0.0;  // of triangles, smallest angle 20 degrees or more
+  double share_from_20_deg = 0.0;  // share of triangles whose smallest angle is at least 20 degrees
   double shortest_edge_m = 0.0, mean_edge_m = 0.0, longest_edge_m = 0.0;
   int self_intersections = 0;  // pairs of triangles that cross
-  double vertex_distance_m = 0.0, midpoint_distance_m = 0.0, centroid_distance_m = 0.0;  // smallest, to the body
+  // Smallest distances to the body.
+  double vertex_distance_m = 0.0, midpoint_distance_m = 0.0, centroid_distance_m = 0.0;
   double nearest() const { return std::min({vertex_distance_m, midpoint_distance_m, centroid_distance_m}); }
   int too_near = 0;  // vertices, midpoints and centroids nearer than the comfort offset by more than 0.01 mm
 };
 
-/// Describes the flaws of a mesh, one line each; empty if there are none: triangles that cross each other, angles below
-/// 5 degrees, places nearer to the body than comfort asks for.
+/// Describes the flaws of a mesh, one line each: triangles that cross each other, angles below 5 degrees, places nearer
+/// to the body than the comfort offset.  Empty if there are none.
 std::vector<std::string> flawsOf(const MeshQuality& quality);
 
-/// `offsets`: comfort at every vertex, m.
+/// Measures the mesh.  `offsets` is the comfort offset of each vertex, m.
 MeshQuality meshQuality(const TriangleMesh& mesh, const TriangleTree& body, const std::vector<double>& offsets);
 
 }  // namespace ease

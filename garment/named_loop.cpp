@@ -10,7 +10,7 @@ namespace ease {
 
 namespace {
 
-/// A loop named by its side must lie further out than any other by this share of the mesh's diagonal.
+/// A loop named by its side must lie further out than all other loops by at least this share of the mesh's diagonal.
 constexpr double kMinLead = 0.01;
 
 Vec3 meanOf(const Positions& positions, const std::vector<int>& loop) {
@@ -48,7 +48,8 @@ const std::vector<int>& findLoop(const Topology& topology, const Positions& posi
         "index; {}",
         where, describeLoops(topology, positions)));
   }
-  std::vector<std::pair<double, std::size_t>> reach;  // along the direction, m; furthest first
+  std::vector<std::pair<double, std::size_t>>
+      reach;  // (negative position along the direction, m; loop): the furthest is first
   for (std::size_t l = 0; l < loops.size(); ++l) reach.emplace_back(-meanOf(positions, loops[l]).dot(direction), l);
   std::ranges::sort(reach);
   const double size = (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();

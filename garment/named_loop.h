@@ -1,4 +1,4 @@
-// Finds a boundary loop of a garment by the name that people give it.
+// Finds a boundary loop of a garment by the name that users give it.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace ease {
 
-/// The loop that lies furthest along a direction by the mean of its vertices ("top" +y, "bottom" -y, "left" +x of the
-/// wearer who faces +z, "right" -x), or by its index ("0", "1", ...).  Throws InputError naming the loops that exist,
-/// also where two lie equally far, within 1 % of the mesh's diagonal.
+/// Finds the loop whose mean vertex lies furthest along a direction, or the loop with an index ("0", "1", ...).  The
+/// directions are "top" (+y), "bottom" (-y), "left" (+x, the left of a wearer who faces +z) and "right" (-x).  Throws
+/// InputError naming the loops that exist if none is called `where` or two lie equally far, within 1 % of the mesh's
+/// diagonal.
 const std::vector<int>& findLoop(const Topology& topology, const Positions& positions, const std::string& where);
 
 }  // namespace ease

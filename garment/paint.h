@@ -1,4 +1,4 @@
-// Tool 3: paints where the garment has more or less cloth, as a scale factor of each triangle's rest shape.
+// Tool 3: paints how much cloth the garment has in each place, as a scale factor of each triangle's rest shape.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,12 @@
 
 namespace ease {
 
-/// Scale factor of each triangle's rest edges: the product of the brushes' values, each faded to 1 at its rim.  Throws
-/// InputError naming the number of a brush that touches no triangle.
+/// Computes the scale factor of each triangle's rest edges: the product of the brushes' values, where each fades to 1
+/// at the brush's rim.  Throws InputError naming the number of a brush that touches no triangle.
 std::vector<double> paintedScales(const TriangleMesh& garment, const std::vector<Brush>& brushes);
 
-/// Factors after / before of two paintings; an empty one means that nothing is painted.  Empty if both are equal.
+/// Computes the factor after / before of each triangle between two paintings.  An empty painting is 1 everywhere.  The
+/// result is empty if both are equal.
 std::vector<double> paintBetween(const std::vector<double>& before, const std::vector<double>& after);
 
 }  // namespace ease

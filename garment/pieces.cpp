@@ -28,7 +28,7 @@ Pieces cutIntoPieces(const TriangleMesh& garment, const std::vector<Seam>& seams
   const Topology topology = buildTopology(garment, "garment");
   const std::set<std::array<int, 2>> seam_edges = edgesOf(seams);
   const int triangles = static_cast<int>(garment.triangles.rows());
-  // Corners of triangles that stay together, across edges that are no seam, are one vertex.
+  // Triangles on both sides of an edge that is no seam stay together: their corners there become one vertex.
   DisjointSets corners(3 * triangles), parts(triangles);  // corner k of triangle t is number 3 t + k
   for (const Edge& edge : topology.edges) {
     if (edge.isBoundary() || seam_edges.contains(edge.vertex)) continue;

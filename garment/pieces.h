@@ -14,7 +14,7 @@ struct Pieces {
   int count = 0;
 };
 
-/// Cuts along the seams.  A seam that ends within the garment is a slit there.
+/// Cuts the garment along the seams.  A seam that ends inside the garment ends in a slit.
 Pieces cutIntoPieces(const TriangleMesh& garment, const std::vector<Seam>& seams);
 
 }  // namespace ease

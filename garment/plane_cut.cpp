@@ -8,11 +8,11 @@
 namespace ease {
 namespace {
 
-/// Vertices of the cut mesh: those that are kept, and new ones where edges cross the plane.
+/// Vertices of the cut mesh: those of the uncut mesh, and new ones where edges cross the plane.
 struct CutVertices {
   std::vector<Vec3> positions;
-  std::vector<double> distances;                  // to the plane; 0: on it
-  std::map<std::array<int, 2>, int> crossing_of;  // by the ends of the edge, the smaller first
+  std::vector<double> distances;                  // signed distance to the plane, m
+  std::map<std::array<int, 2>, int> crossing_of;  // new vertex of each crossed edge; key: its ends, smaller first
 
   int crossing(int a, int b) {
     const std::array<int, 2> edge = {std::min(a, b), std::max(a, b)};
@@ -26,7 +26,7 @@ struct CutVertices {
   }
 };
 
-/// The part of a triangle behind the plane: three or four corners, or none.
+/// Returns the part of a triangle behind the plane as a polygon of three or four vertices; empty if there is none.
 std::vector<int> cutTriangle(const std::array<int, 3>& corners, CutVertices& vertices) {
   std::vector<int> polygon;
   bool is_behind = false;

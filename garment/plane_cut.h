@@ -1,7 +1,7 @@
-// Cutting a triangle mesh with a plane.
+// Cuts a triangle mesh with a plane.
 //
-//      \   /\   /           triangles across the plane are cut along it, those beyond it removed
-//     --\-/--\-/--  plane   vertices nearly on the plane are moved onto it, so that no slivers arise
+//      \   /\   /           triangles across the plane are cut along it, those beyond it are removed
+//     --\-/--\-/--  plane   vertices close to the plane are moved onto it to avoid slivers
 //        v    v
 #pragma once
 
@@ -11,7 +11,7 @@ namespace ease {
 
 struct Plane {
   Vec3 point;   // m
-  Vec3 normal;  // unit; points to the side that is removed
+  Vec3 normal;  // unit length; points to the side that is removed
 };
 
 /// Signed distance to the plane, m, positive on the side that is removed.

@@ -27,7 +27,7 @@ std::set<EdgeKey> edgesAlong(const std::vector<int>& loop) {
   return edges;
 }
 
-/// The triangles that can be reached from `start` without crossing a loop.
+/// Marks the triangles that can be reached from triangle `start` without crossing a loop.
 std::vector<char> flood(const Topology& topology, const std::vector<std::vector<int>>& curves, int start) {
   std::set<EdgeKey> walls;
   for (const std::vector<int>& curve : curves) walls.merge(edgesAlong(curve));
@@ -49,7 +49,7 @@ std::vector<char> flood(const Topology& topology, const std::vector<std::vector<
   return is_inside;
 }
 
-/// Number of sides of a loop on which there is cloth: 0, 1 or 2.
+/// Counts the sides of a loop on which there is cloth: 0, 1 or 2.
 int sidesWithCloth(const Topology& topology, const std::vector<int>& loop, const std::vector<char>& is_inside) {
   int most = 0;
   for (const EdgeKey& key : edgesAlong(loop)) {

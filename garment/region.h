@@ -1,4 +1,4 @@
-// Extracts the part of the body that loops enclose around a point: the part that becomes cloth.
+// Extracts the part of the body around a point, up to the loops: the part that becomes cloth.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace ease {
 
-/// Cuts the body exactly along the loops and takes the part around the point of its surface nearest to `seed` (m).
-/// Every loop must bound that part.  Throws InputError naming the loops that do not: the seed lies outside of them, or
-/// they enclose nothing; or where the seed is far from the body.
+/// Cuts the body exactly along the loops and returns the part that holds the surface point nearest to `seed`
+/// (m).  Every loop must bound that part.  Throws InputError naming the loops that do not, because the seed lies
+/// outside of them or they enclose nothing; also throws it if the seed is far from the body.
 LoopedMesh enclosedRegion(const TriangleMesh& body, const Topology& topology, const std::vector<BoundaryLoop>& loops,
                           const Vec3& seed);
 

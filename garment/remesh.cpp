@@ -25,7 +25,7 @@ using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using SurfaceMesh = CGAL::Surface_mesh<Point>;
 
 constexpr int kIterations = 4;
-constexpr int kMinLoopVertices = 8;  // boundary vertices: fewer cannot pass around an arm
+constexpr int kMinLoopVertices = 8;  // smallest number of vertices of a boundary loop that passes around an arm
 
 SurfaceMesh toSurfaceMesh(const TriangleMesh& mesh) {
   SurfaceMesh surface;
@@ -52,7 +52,7 @@ TriangleMesh fromSurfaceMesh(SurfaceMesh& surface) {
   return mesh;
 }
 
-/// Splits the boundary finely, so that vertices may be kept anywhere on it.
+/// Splits the boundary into short edges, so that thinLoop() can choose vertices almost anywhere on it.
 void splitBoundary(SurfaceMesh& surface, double edge_length) {
   std::vector<SurfaceMesh::Edge_index> boundary;
   for (const auto e : surface.edges())
@@ -60,11 +60,11 @@ void splitBoundary(SurfaceMesh& surface, double edge_length) {
   processing::split_long_edges(boundary, edge_length, surface);
 }
 
-/// Thins the boundary loop of `start` to vertices about `edge_length` apart, at least kMinLoopVertices: the vertices
-/// between two that stay are merged into the first of them.
+/// Thins the boundary loop that contains `start` to vertices about `edge_length` (m) apart, at least kMinLoopVertices
+/// of them.  The vertices between two that stay are merged into the first of the two.
 void thinLoop(SurfaceMesh& surface, SurfaceMesh::Halfedge_index start, double edge_length) {
   std::vector<SurfaceMesh::Vertex_index> loop;
-  std::vector<double> place;  // along the loop, m
+  std::vector<double> place;  // position of each vertex along the loop, m
   double length = 0.0;
   for (const auto h : surface.halfedges_around_face(start)) {
     loop.push_back(surface.source(h));
@@ -103,13 +103,13 @@ TriangleMesh remeshed(const TriangleMesh& mesh, double edge_length) {
 }
 
 TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::string& name, const Pause& pause) {
-  constexpr int kTrials = 8;  // with each source
+  constexpr int kTrials = 8;  // with each of the two source meshes
   constexpr double kTolerance = 0.025;
   // An equilateral mesh has area / (sqrt(3)/2 edge^2) vertices; the remesher makes about this many times as many.
   constexpr double kSurplus = 1.22;
   const double expected = std::sqrt(kSurplus * totalArea(mesh) / (0.5 * std::sqrt(3.0) * vertices));
-  // The remesher treats all edges of a regular mesh alike, so that the number of vertices jumps with the edge length;
-  // where that is in the way it starts from a finer mesh of its own, which is irregular.
+  // The remesher treats all edges of a regular mesh alike, so the number of vertices jumps as the edge length changes.
+  // If a jump skips the number asked for, the second pass starts from a finer remeshed mesh, which is irregular.
   for (const bool from_finer : {false, true}) {
     const TriangleMesh source = from_finer ? remeshed(mesh, 0.45 * expected) : mesh;
     double edge = expected, too_short = 0.0, too_long = std::numeric_limits<double>::infinity();

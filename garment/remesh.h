@@ -9,12 +9,12 @@
 
 namespace ease {
 
-/// Remeshes with edges of about `edge_length` (m).  The boundary is resampled first, its vertices on the old boundary,
-/// at least eight to a loop.
+/// Remeshes with edges of about `edge_length` (m).  The boundary is resampled first: its new vertices lie on the old
+/// boundary, at least eight on each loop.
 TriangleMesh remeshed(const TriangleMesh& mesh, double edge_length);
 
-/// Remeshes to about `vertices` vertices, within 2.5 %.  Throws ComputationError naming `name` if no edge length gives
-/// that.  `pause` is called before each trial.
+/// Remeshes to about `vertices` vertices, within 2.5 %.  Throws ComputationError with `name` if no edge length
+/// gives that number.  `pause` is called before each trial.
 TriangleMesh remeshedTo(const TriangleMesh& mesh, int vertices, const std::string& name, const Pause& pause = nullptr);
 
 }  // namespace ease

@@ -40,14 +40,14 @@ class SeamFinder {
     return request.from.empty() ? closedThrough(request) : betweenLoops(request);
   }
 
-  /// The mesh's edges along a line.
+  /// Finds the chain of mesh edges along a line.
   Seam chain(const std::string& name, const SeamLine& line) const {
     Seam seam{name, {}, line.is_closed};
     const size_t n = line.points.size();
     if (!line.is_closed) {
       seam.vertices = chainBetween(name, line, nearestVertex(line.points.front(), true),
                                    nearestVertex(line.points.back(), true), {});
-    } else {  // in three parts, or the shortest way would be to stay
+    } else {  // in three parts, because the shortest closed path from a vertex to itself is to stay there
       std::vector<int> corners;
       for (size_t k = 0; k < 3; ++k) corners.push_back(nearestVertex(line.points[k * n / 3], false));
       for (size_t k = 0; k < 3; ++k) {
@@ -97,7 +97,8 @@ class SeamFinder {
     return line;
   }
 
-  /// Begins and ends where the loops are nearest to what comes next.
+  /// Finds the line between two loops.  It begins and ends at the loop vertex nearest to the first or last point;
+  /// without points, where the two loops are nearest to each other.
   SeamLine betweenLoops(const SeamRequest& request) const {
     const auto verticesOf = [&](const std::string& loop) -> const std::vector<int>& {
       return garment_.loops[loopNamed(garment_.loops, loop, fmt::format("seam '{}': loop '{}'", request.name, loop))]
@@ -139,17 +140,18 @@ class SeamFinder {
     return nearest;
   }
 
-  /// What a part of a closed chain must keep away from.
+  /// Vertices that a part of a closed chain must avoid: the chain so far, and the corner between the other two parts.
   struct Taken {
     std::vector<int> chain;
     int corner = -1;
     bool is_second = false;
   };
 
-  /// Dijkstra, where edges cost the more the further they are from the line.  Inside the garment but for its ends.
+  /// Finds the cheapest chain of edges by Dijkstra's algorithm; the cost of an edge grows with its distance from the
+  /// line.  Only the ends of the chain may lie on the boundary.
   std::vector<int> chainBetween(const std::string& name, const SeamLine& line, int from, int to,
                                 const Taken& taken) const {
-    constexpr double kDetour = 4.0;  // cost of an edge a mean edge's length away from the line, in edges on it
+    constexpr double kDetour = 4.0;  // added to the cost of an edge one mean edge length from the line, in its lengths
     std::vector<char> is_closed_off(is_boundary_);
     for (const int v : taken.chain) is_closed_off[v] = 1;
     if (taken.corner >= 0) is_closed_off[taken.corner] = 1;
@@ -186,8 +188,8 @@ class SeamFinder {
     return chain;
   }
 
-  /// Leaves out vertices whose neighbours in the chain are neighbours of each other: straightened, that triangle would
-  /// be flat.
+  /// Removes vertices whose two neighbours in the chain share an edge: straightening the chain would flatten the
+  /// triangle of the three.
   void shorten(Seam& seam) const {
     std::vector<int>& chain = seam.vertices;
     for (size_t i = 1; i + 1 < chain.size();) {

@@ -10,16 +10,17 @@ namespace ease {
 namespace {
 
 constexpr int kPasses = 30;
-constexpr int kRings = 4;        // rings of vertices around the chains that move with them
+constexpr int kRings = 4;        // number of rings of vertices around the chains that move with them
 constexpr double kReach = 0.05;  // m: largest distance of a moved vertex from the surface
 
 /// How each vertex moves.
 struct Motion {
-  std::vector<std::vector<int>> mean_of;  // vertices to whose mean it moves; empty: it does not move
-  std::vector<int> line;                  // number of the line that it moves onto; -1: none
+  std::vector<std::vector<int>> mean_of;  // by vertex: it moves to the mean of these vertices; empty: it does not move
+  std::vector<int> line;                  // by vertex: number of the line that it moves onto; -1: none
 };
 
-/// Plans that the vertices of a chain move to the middle of their neighbours in the chain, then onto its line.
+/// Plans the motion of a chain's vertices: to the middle of their neighbours in the chain, then onto its line.  Marks
+/// the chain's ends, and vertices that another chain holds too, as staying.
 void leadChain(const Seam& chain, int line, Motion& motion, std::vector<char>& stays) {
   const std::vector<int>& vertices = chain.vertices;
   const size_t count = vertices.size();
@@ -32,7 +33,7 @@ void leadChain(const Seam& chain, int line, Motion& motion, std::vector<char>& s
   }
 }
 
-/// Number of rings between each vertex and the nearest chain, at most kRings + 1.
+/// Counts the edges from each vertex to the nearest chain, at most kRings + 1.
 std::vector<int> ringsFromChains(const Motion& motion, const std::vector<std::vector<int>>& neighbours) {
   std::vector<int> ring(neighbours.size(), kRings + 1);
   for (size_t v = 0; v < ring.size(); ++v)
@@ -62,7 +63,7 @@ Motion planMotion(const std::vector<Seam>& seams, const std::vector<Seam>& loops
   return motion;
 }
 
-/// Moves the ends of chains that end on a boundary loop to the ends of their lines.
+/// Moves each chain end that lies on a boundary loop to the end of its line.
 void moveEnds(const std::vector<Seam>& seams, const std::vector<SeamLine>& lines, const Motion& motion, Positions& x) {
   for (size_t s = 0; s < seams.size(); ++s) {
     if (seams[s].is_closed) continue;

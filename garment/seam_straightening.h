@@ -1,8 +1,9 @@
 // Moves the chains of edges that stand for seams onto the lines that the seams should follow.
 //
-// A chain's vertices go to the middle of their neighbours in it, then to the nearest point of the line; those within a
-// few rings of the chain to the middle of all their neighbours, those of boundary loops along their loop.  All stay on
-// the surface that the garment had.  A chain's ends go to the ends of the line; where chains meet, they stay.
+// Each vertex of a chain moves to the middle of its neighbours in the chain, then to the nearest point of the line.
+// Vertices within a few rings of the chain move to the middle of all their neighbours, boundary vertices only along
+// their loop.  All stay on the original surface of the garment.  The ends of a chain on the boundary move to the ends
+// of the line; vertices where chains meet do not move.
 #pragma once
 
 #include <vector>
@@ -12,7 +13,7 @@
 
 namespace ease {
 
-/// A seam as it should run, m.
+/// The line that a seam should follow, m.
 struct SeamLine {
   std::vector<Vec3> points;
   bool is_closed;
@@ -20,7 +21,7 @@ struct SeamLine {
 
 Vec3 nearestOn(const SeamLine& line, const Vec3& x);
 
-/// `lines`: one for each seam.
+/// Moves the chains of the seams onto `lines`, one per seam.
 void straightenSeams(const std::vector<Seam>& seams, std::vector<SeamLine> lines, const Topology& topology,
                      TriangleMesh& mesh);
 

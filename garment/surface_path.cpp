@@ -7,10 +7,10 @@
 namespace ease {
 namespace {
 
-/// A node on the front of the search, smallest estimate first; ties are broken by number, so that paths are
-/// reproducible.
+/// A node on the front of the search.  The smallest estimate comes first, among equal ones the smallest node, so that
+/// paths are reproducible.
 struct Entry {
-  double estimate;  // of the whole path's length, m
+  double estimate;  // lower bound of the length of a path through the node, m
   int node;
   bool operator>(const Entry& other) const {
     return estimate != other.estimate ? estimate > other.estimate : node > other.node;
@@ -69,7 +69,7 @@ std::optional<std::vector<int>> SurfacePaths::shortest(int start, int goal) cons
     front.pop();
     if (node == goal) break;
     const Vec3 here = position(node);
-    if (estimate > length[node] + (here - end).norm()) continue;  // reached on a shorter way since
+    if (estimate > length[node] + (here - end).norm()) continue;  // a shorter path to the node was found since
     const int edge = node / kNodesOnEdge;
     for (const int t : topology_.edges[edge].triangle)
       for (int k = 0; t >= 0 && k < 3; ++k) {
@@ -101,8 +101,8 @@ bool SurfacePaths::shareTriangle(int p, int q, int r) const {
 }
 
 EdgeCurve SurfacePaths::curve(std::vector<int> nodes, bool is_closed) const {
-  // A node whose neighbours lie on the same triangle as itself is a detour; one on the same edge as the next, a step in
-  // place.  Taking one out can make another one so.
+  // A node is a detour if one triangle holds it and both its neighbours, or if it lies on the same edge as the next
+  // node.  The removal of a detour can turn another node into one.
   const auto isDetour = [&](int before, int here, int after) {
     return here / kNodesOnEdge == after / kNodesOnEdge || shareTriangle(here, before, after);
   };

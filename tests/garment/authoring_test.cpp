@@ -36,7 +36,7 @@ TEST_CASE("an authored garment has the vertices asked for, good triangles, and k
   const AuthoredGarment made = authorGarment(body, tubeTools(), {0.005, {}});
   const MeshQuality quality = meshQuality(made.garment.mesh, tree, made.offsets);
   checkQuality(quality, 800);
-  CHECK(quality.vertex_distance_m < 0.006);  // and no further than it must
+  CHECK(quality.vertex_distance_m < 0.006);  // only slightly more than the offset
   for (const int t : made.body_triangle) CHECK(t >= 0);
   REQUIRE(made.garment.loops.size() == 2);
   for (const Vec3& x : positionsOf(made.garment.loops[0].vertices, made.garment.mesh.positions))
@@ -93,7 +93,7 @@ TEST_CASE("a garment with an extension and seams is authored in one go, the same
 }
 
 TEST_CASE("between parts that leave less room than two offsets the garment keeps to the middle") {
-  // Two upright capsules, 6 mm apart; a sleeve of cloth around one of them.
+  // The body is two upright capsules 6 mm apart; the garment is a sleeve around one of them.
   const TriangleMesh leg = capsule(0.25, 0.08, 12);
   const TriangleMesh body = joined(moved(leg, {-0.083, 0, 0}), moved(leg, {0.083, 0, 0}));
   const TriangleTree tree(body.positions, body.triangles);
@@ -117,7 +117,7 @@ TEST_CASE("making a garment ends at whichever pause is not returned from") {
   const TriangleMesh body = capsuleBody();
   int pauses = 0;
   authorGarment(body, tubeTools(), {0.005, {}}, [&] { ++pauses; });
-  CHECK(pauses >= 7);  // after six parts, and before a trial of remeshing
+  CHECK(pauses >= 7);  // one after each of six parts, and at least one before a trial of remeshing
   for (int last = 1; last <= pauses; ++last) {
     int now = 0;
     const auto stop = [&] {

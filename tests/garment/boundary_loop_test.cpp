@@ -21,7 +21,7 @@ void checkRefused(const TriangleMesh& body, const LoopRequest& request, const st
   CHECK_THROWS_WITH(findLoops(body, buildTopology(body, "body"), {request}, kSmoothing), Contains(message));
 }
 
-/// Largest angle between following segments, degrees; those shorter than a millimetre are passed over.
+/// Computes the largest angle between consecutive segments, degrees; ignores segments shorter than a millimetre.
 double sharpestTurn(const std::vector<Vec3>& loop) {
   std::vector<Vec3> directions;
   Vec3 last = loop.front();
@@ -81,7 +81,7 @@ TEST_CASE("a loop found on one pose goes along into another") {
   const BoundaryLoop loop =
       findLoops(body, buildTopology(body, "body"), {pointLoop("waist", 0.02, 6, 0.03)}, kSmoothing)[0];
   const std::vector<Vec3> before = placed(loop.curve, body.positions);
-  // Bent and turned: an affine map takes every point of the loop along, to rounding.
+  // The pose is sheared and turned by an affine map: up to round-off, the map moves every point of the loop alike.
   Eigen::Matrix3d map;
   map << 0.8, -0.3, 0.1, 0.4, 1.1, 0.0, -0.1, 0.2, 0.9;
   const Positions posed = body.positions * map.transpose();
@@ -101,7 +101,7 @@ TEST_CASE("an impossible loop is refused by name") {
   checkRefused(body, {"cuff", {}, {0, 1, 999999}, {}}, "boundary 'cuff': vertex 999999: expected 0 to ");
   checkRefused(body, planeLoop("cuff", {0, 2, 0}, {0, 1, 0}), "boundary 'cuff': its plane does not cut the body");
 
-  LoopRequest eight = pointLoop("cuff", 0.0, 4);  // up and down crosswise
+  LoopRequest eight = pointLoop("cuff", 0.0, 4);  // its points form a figure eight
   eight.points = {{0, 0.1, 0.12}, {0.085, -0.1, 0.085}, {0.085, 0.1, 0.085}, {0, -0.1, 0.12}};
   checkRefused(body, eight, "boundary 'cuff': it crosses itself");
 

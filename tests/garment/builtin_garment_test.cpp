@@ -21,7 +21,7 @@ Vec3 vertex(const TriangleMesh& mesh, int t, int k) {
   return mesh.positions.row(mesh.triangles(t, k % 3));
 }
 
-/// All angles, degrees, smallest first.
+/// Lists all angles of the triangles, degrees, in ascending order.
 std::vector<double> sortedAngles(const TriangleMesh& mesh) {
   std::vector<double> angles;
   for (int t = 0; t < mesh.triangles.rows(); ++t)
@@ -33,7 +33,7 @@ std::vector<double> sortedAngles(const TriangleMesh& mesh) {
   return angles;
 }
 
-/// Least distance of vertices, edge midpoints and centroids to the body.
+/// Computes the smallest distance of vertices, edge midpoints and centroids to the body, m.
 double clearance(const TriangleMesh& garment, const TriangleMesh& body) {
   const TriangleTree tree(body.positions, body.triangles);
   double least = 1.0;
@@ -49,7 +49,7 @@ double clearance(const TriangleMesh& garment, const TriangleMesh& body) {
   return least;
 }
 
-/// Largest angle, degrees, by which a loop turns at one of its vertices.
+/// Computes the largest angle by which a loop turns at one of its vertices, degrees.
 double sharpestTurn(const std::vector<int>& loop, const Positions& positions) {
   double sharpest = 0.0;
   const size_t n = loop.size();
@@ -82,7 +82,7 @@ TEST_CASE("a built-in garment has four smooth, plane openings: neck, hem and two
     const TriangleMesh garment = builtinGarment(name, 2000, kOffset);
     const Topology topology = buildTopology(garment, name);
     REQUIRE(topology.boundary_loops.size() == 4);
-    // A sphere with four holes.
+    // A sphere with four holes has the Euler characteristic 2 - 4.
     CHECK(garment.positions.rows() - static_cast<long>(topology.edges.size()) + garment.triangles.rows() == -2);
     for (const std::vector<int>& loop : topology.boundary_loops) CHECK(sharpestTurn(loop, garment.positions) < 60.0);
 
@@ -121,7 +121,7 @@ TEST_CASE("a built-in garment faces outwards and keeps the offset asked for") {
     const TriangleMesh garment = builtinGarment("t-shirt", 1000, offset);
     CHECK(clearance(garment, body) >= offset);
     CHECK(buildTopology(garment, "t-shirt").boundary_loops.size() == 4);
-    double outwards = 0.0;  // area-weighted normals, away from the middle
+    double outwards = 0.0;  // sum of area-weighted normals along the direction away from the middle
     for (int t = 0; t < garment.triangles.rows(); ++t) {
       const Vec3 a = vertex(garment, t, 0), b = vertex(garment, t, 1), c = vertex(garment, t, 2);
       const Vec3 middle(0.0, 1.2, 0.0);

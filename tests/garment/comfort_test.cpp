@@ -12,7 +12,7 @@ using namespace ease;
 
 namespace {
 
-/// A tube around the capsule, at its very surface.
+/// Makes a tube that lies on the surface of the capsule.
 LoopedMesh skin() {
   LoopedMesh tube;
   tube.mesh = moved(makeTube(40, 16, kRadius, 0.3), {0.0, -0.15, 0.0});

@@ -14,7 +14,7 @@ namespace {
 
 const TriangleMesh kSheet = makeSheet(10, 10, 1.0, 1.0, 0.2);
 
-/// Where f is zero on the sheet: one line.
+/// Finds the line on the sheet where f is zero; there must be exactly one.
 BoundaryLoop line(const std::string& name, const std::function<double(const Vec3&)>& f) {
   std::vector<double> values;
   for (int v = 0; v < kSheet.positions.rows(); ++v) values.push_back(f(kSheet.positions.row(v)));
@@ -37,7 +37,8 @@ bool isEdge(const Topology& topology, int a, int b) {
   return false;
 }
 
-/// Every triangle's parts make it up, and the curves run along edges where they ran before.
+/// Checks that the parts of each triangle cover it exactly, and that each curve runs along edges through its old
+/// points.
 void checkIsCut(const CutMesh& cut, const std::vector<BoundaryLoop>& loops) {
   CHECK(cut.mesh.positions.topRows(kSheet.positions.rows()) == kSheet.positions);
   REQUIRE(static_cast<long>(cut.source.size()) == cut.mesh.triangles.rows());
@@ -82,7 +83,7 @@ TEST_CASE("a curve from boundary to boundary and rings that pass through the sam
   checkIsCut(cut, loops);
   int in_several = 0;
   std::vector<int> parts(kSheet.triangles.rows(), 0);
-  for (const int t : cut.source) in_several += ++parts[t] == 5 ? 1 : 0;  // one curve makes three of a triangle
+  for (const int t : cut.source) in_several += ++parts[t] == 5 ? 1 : 0;  // two curves make five parts
   CHECK(in_several > 10);
 }
 

@@ -30,7 +30,7 @@ TEST_CASE("centre of mass and vector area of a square, wherever it is and howeve
 }
 
 TEST_CASE("an extension goes along the loop's axis, away from the garment, and keeps the loop's shape, scaled") {
-  for (const double wave : {0.0, 0.04}) {  // plane and not
+  for (const double wave : {0.0, 0.04}) {  // a plane loop, and one that is not plane
     LoopedMesh garment = tube(wave);
     const std::vector<Vec3> before = loopOf(garment, 1);
     const double area = areaOf(garment.mesh);
@@ -42,9 +42,9 @@ TEST_CASE("an extension goes along the loop's axis, away from the garment, and k
     CHECK(moved.y() < -0.299);
     CHECK(polygonLength(after, true) == Approx(1.5 * polygonLength(before, true)).epsilon(1e-9));
     CHECK(eulerCharacteristic(garment.mesh) == 0);
-    const Topology topology = buildTopology(garment.mesh, "garment");  // throws where the parts are badly joined
+    const Topology topology = buildTopology(garment.mesh, "garment");  // throws if the parts are joined wrongly
     CHECK(topology.boundary_loops.size() == 2);
-    if (wave == 0.0) {  // a cone's frustum
+    if (wave == 0.0) {  // the extension is the frustum of a cone
       const double slant = std::hypot(0.3, 0.5 * kRadius);
       CHECK(areaOf(garment.mesh) - area == Approx(M_PI * 2.5 * kRadius * slant).epsilon(0.01));
     }

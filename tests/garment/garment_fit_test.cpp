@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kHeight = 0.3;
 
-/// Distance to a cylinder without end around the y axis.
+/// Computes the distance to an infinite cylinder around the y axis.
 Distance cylinder(const Vec3& x) {
   const double r = std::hypot(x.x(), x.z());
   return {r - kRadius, Vec3(x.x() / r, 0.0, x.z() / r)};
@@ -23,7 +23,7 @@ Distance cylinder(const Vec3& x) {
 const std::vector<Plane> kLevel = {{{0.0, 0.0, 0.0}, -Vec3::UnitY()}, {{0.0, kHeight, 0.0}, Vec3::UnitY()}};
 const std::vector<Plane> kTilted = {kLevel[0], {{0.0, kHeight, 0.0}, Vec3(0.4, 1.0, 0.1).normalized()}};
 
-/// Between the two cuts, up to a few millimetres off them and off the cylinder.
+/// Makes a tube between the two cuts; its vertices lie up to a few millimetres off the cuts and off the cylinder.
 TriangleMesh roughTube(int around, int along, const std::vector<Plane>& cuts) {
   TriangleMesh tube = makeTube(around, along, kRadius, kHeight);
   const Vec3 top = cuts[1].normal / cuts[1].normal.y();
@@ -36,7 +36,7 @@ std::vector<std::vector<int>> loopsOf(const TriangleMesh& mesh) {
   return buildTopology(mesh, "mesh").boundary_loops;
 }
 
-/// Longest over shortest edge of a loop.
+/// Computes the ratio of the longest to the shortest edge of a loop.
 double unevenness(const std::vector<int>& loop, const Positions& positions) {
   double longest = 0.0, shortest = 1.0;
   for (size_t i = 0; i < loop.size(); ++i) {
@@ -47,7 +47,7 @@ double unevenness(const std::vector<int>& loop, const Positions& positions) {
   return longest / shortest;
 }
 
-/// Least distance of the vertices, edge midpoints and centroids, m.
+/// Computes the smallest distance of the vertices, edge midpoints and centroids to the body, m.
 double leastDistance(const DistanceField& body, const TriangleMesh& mesh) {
   double least = 1.0;
   for (const auto& t : mesh.triangles.rowwise()) {
@@ -95,7 +95,7 @@ TEST_CASE("vertices are moved out until edges and triangles are clear too, and l
   REQUIRE(leastDistance(cylinder, tube) < 0.0);
   keepClear(cylinder, kLevel, kClearance, tube);
   CHECK(leastDistance(cylinder, tube) >= kClearance + kMargin);
-  // Were it a regular polygon, its corners would be so far out.
+  // Distance of the corners if the tube's cross-section were a regular polygon.
   const double corners = (kRadius + kClearance + kMargin) / std::cos(M_PI / 12.0) - kRadius;
   for (int v = 0; v < tube.positions.rows(); ++v) CHECK(cylinder(tube.positions.row(v)).value < corners + 8e-4);
   for (const std::vector<int>& loop : loopsOf(tube))
@@ -111,7 +111,7 @@ TEST_CASE("what is clear of the body already stays as it is") {
 
 TEST_CASE("a garment whose boundary cannot leave the body within its plane is an error") {
   const auto floor = [](const Vec3& x) { return Distance{x.y() - 0.1, Vec3::UnitY()}; };
-  TriangleMesh tube = makeTube(12, 4, kRadius, kHeight);  // its lower end is within the floor
+  TriangleMesh tube = makeTube(12, 4, kRadius, kHeight);  // its lower end lies inside the floor
   CHECK_THROWS_AS(keepClear(floor, kLevel, 0.005, tube), ComputationError);
   CHECK_THROWS_WITH(keepClear(floor, kLevel, 0.005, tube), Contains("too large to stay clear of the body"));
 }

@@ -9,7 +9,7 @@ using namespace ease;
 
 namespace {
 
-/// 5 x 5 vertices, row by row.
+/// A square sheet with 5 x 5 vertices, numbered row by row.
 const TriangleMesh kSheet = makeSheet(4, 4, 1.0, 1.0);
 const Seam kAcross{"across", {10, 11, 12, 13, 14}, false};
 
@@ -29,7 +29,7 @@ TEST_CASE("a seam from side to side makes two pieces, which glue back") {
 }
 
 TEST_CASE("seams that meet make as many pieces as there are fields") {
-  const Seam half{"half", {2, 7, 12}, false};  // from the lower side to the middle of the other seam
+  const Seam half{"half", {2, 7, 12}, false};  // from the sheet's lower side to the middle of the other seam
   const Pieces pieces = cutIntoPieces(kSheet, {kAcross, half});
   CHECK(pieces.count == 3);
   CHECK(pieces.mesh.positions.rows() == 25 + 5 + 3);

@@ -37,7 +37,7 @@ TEST_CASE("a region ends exactly on its loops, each its own") {
   const Topology topology = buildTopology(body, "body");
   const std::vector<BoundaryLoop> loops = findLoops(body, topology, {kTop, pointLoop("bottom", -0.1, 6, 0.02)}, 0.01);
   const LoopedMesh region = enclosedRegion(body, topology, loops, kFront);
-  CHECK(eulerCharacteristic(region.mesh) == 0);  // a tube
+  CHECK(eulerCharacteristic(region.mesh) == 0);  // the region is a tube
   REQUIRE(buildTopology(region.mesh, "region").boundary_loops.size() == 2);
   for (size_t l = 0; l < loops.size(); ++l) {
     CHECK(region.loops[l].name == loops[l].name);
@@ -98,6 +98,7 @@ TEST_CASE("a remeshed region keeps its loops, its names and the number of vertic
     const std::vector<Vec3> before = positionsOf(region.loops[l].vertices, region.mesh.positions);
     const std::vector<Vec3> after = positionsOf(even.loops[l].vertices, even.mesh.positions);
     for (const Vec3& x : after) CHECK(polygonDistance(before, true, x) < 1e-9);
-    for (const Vec3& x : before) CHECK(polygonDistance(after, true, x) < 2.5e-3);  // no corner cut off
+    for (const Vec3& x : before)
+      CHECK(polygonDistance(after, true, x) < 2.5e-3);  // the region cuts off no corner of the loop
   }
 }

@@ -11,7 +11,7 @@ using Catch::Contains;
 
 namespace {
 
-const TriangleMesh kTube = makeTube(24, 4, 0.1, 0.3);  // long triangles
+const TriangleMesh kTube = makeTube(24, 4, 0.1, 0.3);  // its triangles are long and narrow
 
 }  // namespace
 

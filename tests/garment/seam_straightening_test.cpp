@@ -13,7 +13,7 @@ namespace {
 constexpr int kCells = 12;
 const TriangleMesh kSheet = makeSheet(kCells, kCells, 1.0, 1.0, 0.25);
 
-/// Vertex of column i in row j.
+/// Number of the vertex in column i and row j.
 int vertex(int i, int j) {
   return j * (kCells + 1) + i;
 }
@@ -39,7 +39,7 @@ TriangleMesh straightened(const std::vector<Seam>& seams, const std::vector<Seam
   return mesh;
 }
 
-/// Still the square, none of its triangles turned over.
+/// Checks that the mesh still covers the square and none of its triangles is turned over.
 void checkIsSquare(const TriangleMesh& mesh) {
   CHECK(mesh.positions.col(2).isZero(1e-15));
   CHECK(areaOf(mesh) == Approx(1.0).epsilon(1e-12));
@@ -63,7 +63,7 @@ TEST_CASE("the nearest point of a line, open and closed") {
   CHECK(nearestOn(open, {5, 3, -1}) == Vec3(3, 3, 0));
   CHECK(nearestOn(open, {0, 4, 0}) == Vec3(3, 4, 0));
   CHECK((nearestOn(closed, {0, 4, 0}) - Vec3(1.92, 2.56, 0)).norm() < 1e-15);
-  CHECK(nearestOn({{{1, 1, 0}, {1, 1, 0}}, false}, {5, 0, 0}) == Vec3(1, 1, 0));  // of no length
+  CHECK(nearestOn({{{1, 1, 0}, {1, 1, 0}}, false}, {5, 0, 0}) == Vec3(1, 1, 0));  // a line of length 0
 }
 
 TEST_CASE("a straightened seam lies on its line from end to end, more evenly than before") {

@@ -66,10 +66,10 @@ TEST_CASE("a vertex's nearest node lies on its shortest edge, an eighth of it aw
 TEST_CASE("the curve through a path's nodes leaves out detours within a triangle and is no longer than the path") {
   const Topology topology = buildTopology(kSheet, "sheet");
   const SurfacePaths paths(kSheet, topology);
-  // There, and back on another way: around the turn it goes to and fro within triangles.
+  // The path goes to a point and returns another way, so that it goes back and forth within triangles at the turn.
   std::vector<int> nodes = *paths.shortest(paths.nearestNode({0.1, 0.1, 0.0}), paths.nearestNode({0.8, 0.75, 0.0}));
   const std::vector<int> back = *paths.shortest(nodes.back(), paths.nearestNode({0.1, 0.4, 0.0}));
-  nodes.insert(nodes.end(), back.begin(), back.end());  // the turn twice: a step in place
+  nodes.insert(nodes.end(), back.begin(), back.end());  // the node at the turn occurs twice in a row
   const bool is_closed = GENERATE(false, true);
   const EdgeCurve curve = paths.curve(nodes, is_closed);
   REQUIRE(curve.is_closed == is_closed);

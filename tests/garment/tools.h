@@ -1,4 +1,4 @@
-// What the tests of the garment's tools share: a body, requests, measures.
+// A body, requests and measurements that the tests of the garment tools share.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ using bodies::joined;
 using bodies::moved;
 using bodies::smallestAngle;
 
-constexpr double kRadius = 0.12, kHalfLength = 0.3;  // m, of the capsule around the y axis
+constexpr double kRadius = 0.12, kHalfLength = 0.3;  // m: size of the capsule around the y axis
 
 inline TriangleMesh capsuleBody() {
   return capsule(kHalfLength, kRadius, 12);
@@ -24,7 +24,7 @@ inline LoopRequest planeLoop(const std::string& name, const Vec3& point, const V
   return {name, {}, {}, PlaneNear{point, normal, point}};
 }
 
-/// Points around the capsule at height y, lifted by wave * sin(2 angle).
+/// Requests a loop through `count` points around the capsule at height y + wave * sin(2 angle), m.
 inline LoopRequest pointLoop(const std::string& name, double y, int count, double wave = 0.0) {
   LoopRequest loop{name, {}, {}, {}};
   for (int i = 0; i < count; ++i) {
