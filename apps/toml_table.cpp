@@ -220,7 +220,7 @@ std::string TomlTable::choice(std::string_view key, const std::string& fallback,
 
 namespace {
 
-/// Reads the entries of an array by `read`; `fault` is set to the number (from 1) and type of an entry it refuses.
+/// Reads the entries of an array by `read`; if that fails, sets `fault` to what was found instead.
 template <class Value, class Read>
 std::vector<Value> readArray(const toml::node& node, const Read& read, std::string& fault) {
   const toml::array* array = node.as_array();

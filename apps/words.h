@@ -14,7 +14,8 @@ std::string listWords(const std::vector<std::string>& words);
 std::string oneLine(std::string_view text);
 
 /// Returns the word with the smallest edit distance from `word`, where an edit inserts, deletes or replaces a letter or
-/// swaps two neighbours.  Returns an empty string if even that word differs in more than a third of the letters.
+/// swaps two neighbours.  Returns an empty string if more edits are needed than two and than a third of `word`'s
+/// letters.
 std::string nearestWord(std::string_view word, const std::vector<std::string>& words);
 
 }  // namespace ease

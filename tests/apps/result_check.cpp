@@ -57,7 +57,7 @@ vtkSmartPointer<vtkPolyData> readFrame(const fs::path& file) {
   return &mesh;
 }
 
-/// Frames of a series, named or not, beside its list.
+/// Checks the frames of a series, those in its list and those that are only in its folder.
 void checkSeries(const fs::path& pvd, bool killed) {
   const std::vector<fs::path> listed = framesListed(pvd);
   long there = 0;

@@ -42,7 +42,7 @@ TriangleMesh box(double half_width, double low, double high, bool closed) {
 const TriangleMesh kBody = box(0.2, 0.0, 1.7, true);
 const TriangleMesh kGarment = box(0.3, 0.8, 1.4, false);
 
-/// A scene of two poses and a tube around them, to be changed by the tests.
+/// The files of a scene with two poses and a tube around them.  Tests change them.
 struct Files {
   Files() {
     write("first.obj", kBody);
