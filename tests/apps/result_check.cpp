@@ -57,7 +57,7 @@ vtkSmartPointer<vtkPolyData> readFrame(const fs::path& file) {
   return &mesh;
 }
 
-/// Checks the frames of a series, those in its list and those that are only in its folder.
+/// Checks that the list of a series names every frame in its folder; with `killed`, one frame may be missing in it.
 void checkSeries(const fs::path& pvd, bool killed) {
   const std::vector<fs::path> listed = framesListed(pvd);
   long there = 0;

@@ -21,11 +21,13 @@ std::string objText(const TriangleMesh& mesh) {
   return out.str();
 }
 
-//      6----7     four walls around the y axis, from `low` to `high`; with `closed`, floor and lid too
-//     /|   /|
-//    4----5 |
-//    | 2--|-3
-//    0----1
+/// Makes four walls around the y axis from `low` to `high` and, if `closed`, a floor and a lid:
+///
+///      6----7
+///     /|   /|
+///    4----5 |
+///    | 2--|-3
+///    0----1
 TriangleMesh box(double half_width, double low, double high, bool closed) {
   TriangleMesh mesh;
   mesh.positions.resize(8, 3);
