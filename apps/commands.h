@@ -12,7 +12,7 @@ enum ExitCode { kDone = 0, kWrongInput = 1, kFailed = 2, kInterrupted = 130 };
 struct Arguments {
   std::string scene;
   std::string directory;  // empty: results/<name>
-  int threads = -1;       // number of threads; 0: all, -1: as the scene says
+  int threads = -1;       // number of threads; 0: all, -1: the scene's number
   std::string resumed;    // directory of an earlier run to resume, or empty
   bool pieces = false;    // `ease garment` also writes the garment cut into pieces
 };

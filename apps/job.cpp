@@ -263,8 +263,8 @@ class Job {
 
   std::optional<Cloth> cloth_;
   std::optional<MovingBody> body_;
-  std::vector<double> first_areas_;  // of the first rest shape's triangles, m^2
-  Positions end_;                    // of the garment after the run, m
+  std::vector<double> first_areas_;  // areas of the first rest shape's triangles, m^2
+  Positions end_;                    // positions of the garment after the run, m
   ShownReplay before_, after_;
   Report report_;
   std::optional<Progress> progress_;

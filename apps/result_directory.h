@@ -19,7 +19,7 @@ class ResultDirectory {
   ResultDirectory& operator=(const ResultDirectory&) = delete;
 
   /// Removes the files that an earlier command wrote about a garment made by tools and about its pieces, because the
-  /// scene may now make another garment.  Removes nothing if the scene itself reads one of these files.
+  /// scene may now make another garment.  Removes nothing if the scene reads one of these files.
   void removeOldGarment(const Scene& scene) const;
 
  private:

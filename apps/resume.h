@@ -1,4 +1,4 @@
-// Resuming an earlier run from its checkpoint: checks that the scene allows it, and what the scene takes from the run.
+// Resuming an earlier run from its checkpoint: checks that the scene allows it, and reuses the run's start garment.
 #pragma once
 
 #include <filesystem>

@@ -55,7 +55,7 @@ struct SolverScene {
 };
 
 struct CollisionScene {
-  double offset = RunSettings().comfort_offset;        // comfort: least distance to the body, m
+  double offset = RunSettings().comfort_offset;        // comfort offset: smallest distance to the body, m
   double voxel = LevelSetOptions().voxel;              // voxel size of the level set, m
   double stiffness = RunSettings().contact_stiffness;  // contact pressure per depth, N/m^3
 };
@@ -74,7 +74,7 @@ struct OutputScene {
 
 struct Scene {
   std::filesystem::path file;
-  std::string name;  // of the scene and of its result folder; by default the file's name
+  std::string name;  // name of the scene and of its result folder; by default the file's name
   std::optional<BodyScene> body;
   GarmentScene garment;
   Material material;

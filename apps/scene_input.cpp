@@ -27,7 +27,7 @@ constexpr double kLowestPerson = 0.4;          // m: a newborn, curled up
 constexpr double kTallestPerson = 2.6;         // m: arms raised
 constexpr double kFarthestGarment = 0.5;       // m: distance between garment and body
 constexpr double kDeepestGarment = 0.001;      // m inside the body: less may come from coarse meshes
-constexpr double kLargestLimit = 0.5;          // of stretch: no cloth stands more; 1.08 for 8 % is an error
+constexpr double kLargestLimit = 0.5;          // stretch limit; no cloth stands more, 1.08 for 8 % is an error
 constexpr double kLeastProjectedGrain = 1e-6;  // length of a unit grain vector in a triangle's plane
 
 std::filesystem::path besideScene(const Scene& scene, const std::string& file) {

@@ -13,8 +13,8 @@ struct Setting {
   std::string method;  // name in a scene, or in accelerated_pd.h
   std::string knob;    // key of [solver] that is varied, or "none"
   double value;
-  MethodOptions options;                     // of a method that scenes can name
-  std::optional<Acceleration> acceleration;  // of another method, with options.iterations
+  MethodOptions options;                     // options of a method that scenes can name
+  std::optional<Acceleration> acceleration;  // another method, which also uses options.iterations
 };
 
 /// Returns the names of all methods that scenes can name.

@@ -25,7 +25,7 @@ struct JobTiming {
   PassTimes times;
   double peak_memory_MB = 0.0;
   double handed_over = 0.0, newton_iterations = 0.0, projective_iterations = 0.0;
-  double penetration_mm = 0.0;  // of the deepest point
+  double penetration_mm = 0.0;  // depth of the deepest point in the body
   char failure[256] = "";       // reason why the run stopped, or empty
 };
 

@@ -1,4 +1,5 @@
-// Time and error of a whole trajectory, which has the errors of a method's single steps and of the length of its steps.
+// Time and error of a whole trajectory.  The error comes from a method's inexact steps and from the length of its
+// steps.
 //
 //   x(t)       positions by the method           x*(t)   2 x_fine(t) - x_coarse(t): Newton's method at h/16 and h/8
 //                                                        extrapolated to h = 0 (Richardson; backward Euler has order 1)
