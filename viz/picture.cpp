@@ -38,7 +38,7 @@ constexpr int kWidth = 1600, kHeight = 1000;       // pixels
 constexpr int kTitleBand = 84, kLegendBand = 124;  // pixels
 constexpr int kGutter = 8;                         // pixels, white margin on the left and right of a view
 constexpr int kSamples = 2;                        // samples per pixel in each direction, to smooth edges
-constexpr double kLevelStep = 3;                   // colour levels of 255 are rounded to it: a smaller file
+constexpr double kLevelStep = 3;                   // of 255 levels; invisible, and files are a third smaller
 constexpr double kViewAngle = 16;                  // degrees, over the whole height
 
 /// Keeps VTK and its OpenGL loader from printing on the terminal during the lifetime of the object.
