@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::string_view kKind = "ease checkpoint ", kVersion = "5\n";
 
-// A file is kind, version, the fingerprint of all that follows, and the members.
+// Size of the file's header: kind, version, and the fingerprint of everything that follows, which is the members.
 constexpr size_t kHeader = kKind.size() + kVersion.size() + sizeof(std::uint64_t);
 
-/// Appends to, or takes from, a string of bytes: one list of members serves both ways.
+/// Writer appends values to a string of bytes and Reader takes them from it; both use one list of members.
 struct Writer {
   std::string bytes;
   void raw(const void* data, size_t size) { bytes.append(static_cast<const char*>(data), size); }
@@ -49,7 +49,7 @@ struct Reader {
   size_t at = 0;
   void raw(void* data, size_t size) {
     if (size > bytes.size() - at) throw InputError("is cut short");
-    std::copy_n(bytes.data() + at, size, static_cast<char*>(data));  // none, where there is nothing to point at
+    std::copy_n(bytes.data() + at, size, static_cast<char*>(data));  // `data` may be null if `size` is 0
     at += size;
   }
   template <class T>

@@ -1,7 +1,8 @@
-// DIR/checkpoint.bin: all that a run needs to go on from a moment.
+// DIR/checkpoint.bin: everything that is needed to resume a run from one moment of it.
 //
-// At these moments the run forgets what it remembers only to be faster (factors, L-BFGS pairs, the triangles nearest to
-// samples), so that a run that goes on from here does the same to the last bit as one that was never stopped.
+// When a run writes a checkpoint, it also discards the state that only makes it faster (factors, L-BFGS pairs, the
+// triangle nearest to each sample).  A resumed run, which starts without that state, therefore gives exactly the same
+// results, bit for bit, as a run that was never interrupted.
 #pragma once
 
 #include <cstdint>
@@ -16,22 +17,22 @@ namespace ease {
 
 struct Checkpoint {
   RunState run;
-  // Fingerprints of the poses that the body has met, and of the one that it is on its way to (resume.h).
+  // Fingerprints of the poses that the body has reached, and of the pose that it is moving to (resume.h).
   std::vector<std::uint64_t> poses_met;
-  // The clock; a run that goes on must have the same.
+  // Timing of the motion; a resumed run must use the same values.
   double time_step_s = 0.0;
   int steps_per_pose = 0;
-  int interpolation_steps = 0;  // from a pose to the next; 0: no body
+  int interpolation_steps = 0;  // from one pose to the next; 0: no body
   StartGarment start;
-  Numbering numbering;  // of the garment; `run`, `first_rest` and `paint` are numbered like this
+  Numbering numbering;  // the garment's, used in `run`, `first_rest` and `paint`
   RestShape first_rest;
-  std::vector<double> paint;  // scale factor of every triangle that `run.rest` has already; empty: none is painted
+  std::vector<double> paint;  // scale factor of every triangle, already applied to `run.rest`; empty: no paint
 };
 
-/// Writes the file, temporary name first.  Throws ComputationError naming it.
+/// Writes the file under a temporary name and then renames it.  Throws ComputationError naming the file.
 void writeCheckpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
 
-/// Throws InputError where there is none, where it is not as it was written, or was written by another version.
+/// Reads a checkpoint.  Throws InputError if the file is missing, damaged or written by another version.
 Checkpoint readCheckpoint(const std::filesystem::path& file);
 
 }  // namespace ease

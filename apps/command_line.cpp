@@ -56,7 +56,7 @@ ExitCode wrongUsage(const std::string& line) {
   return kWrongInput;
 }
 
-/// What an unknown word of the line is, and what was probably meant.
+/// Returns the message about an unknown word of the command line, with a suggestion of what was probably meant.
 std::string unknownText(const CLI::App& app, const std::string& word) {
   const bool is_option = word.front() == '-', has_command = !app.get_subcommands().empty();
   std::vector<std::string> known = {"run", "check", "garment"};
@@ -79,7 +79,7 @@ ExitCode parsed(int argc, char** argv) {
   app.set_version_flag("--version", "ease " EASE_VERSION, "Print the version and end");
   app.set_help_flag("-h,--help", "Print this help and end");
   app.require_subcommand(0, 1);
-  app.allow_extras();  // commands too: what is unknown is named below, in the order of the line
+  app.allow_extras();  // also unknown commands; the first unknown word is reported below
 
   Arguments arguments;
   CLI::App* run = app.add_subcommand("run", "Simulate and adapt; write series, rest shape, report and picture");
@@ -117,7 +117,7 @@ ExitCode parsed(int argc, char** argv) {
   return wrongUsage("no command: expected 'run', 'garment' or 'check'");
 }
 
-/// Whether all that was printed has arrived; says so if not.
+/// Whether everything that was printed could be written; prints an error if not.
 bool isPrinted() {
   errno = 0;
   if (std::cout.flush() && std::fflush(stdout) == 0 && !std::ferror(stdout)) return true;
@@ -130,7 +130,7 @@ bool isPrinted() {
 int commandLine(int argc, char** argv) {
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of writing it
+  std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the file size limit then fails with an error
   const ExitCode code = guarded([&] { return parsed(argc, argv); });
   return isPrinted() ? code : kFailed;
 }

@@ -3,8 +3,8 @@
 
 namespace ease {
 
-/// What main() does: takes over SIGINT and SIGTERM, runs the command and returns its exit code (commands.h).  Whatever
-/// goes wrong is one line on stderr.
+/// Parses the command line, handles SIGINT and SIGTERM, runs the command and returns its exit code (commands.h); main()
+/// does nothing else.  Every error is reported as one line on stderr.
 int commandLine(int argc, char** argv);
 
 }  // namespace ease

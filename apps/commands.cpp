@@ -36,7 +36,7 @@ SceneInput readWithWarnings(const Scene& scene, const std::atomic<bool>& interru
   return input;
 }
 
-/// Prints what `ease check` tells: enough to see whether the scene is the one that was meant.
+/// Prints the summary of `ease check`, which shows the user whether the scene is the intended one.
 void printSummary(const Scene& scene, const SceneInput& input) {
   const Topology topology = buildTopology(input.garment, scene.name);
   size_t pinned = 0;
@@ -81,7 +81,7 @@ fs::path directoryOf(const Arguments& arguments, const Scene& scene) {
 
 void say(const char* kind, const std::string& line) {
   std::fputs(fmt::format("ease: {}: {}\n", kind, oneLine(line)).c_str(),
-             stderr);  // fmt::print would throw where it is full
+             stderr);  // fmt::print would throw if the disk is full
 }
 
 ExitCode guarded(const std::function<ExitCode()>& command) {
@@ -130,14 +130,15 @@ ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interru
   if (arguments.threads >= 0) scene.solver.threads = arguments.threads;
   const fs::path directory = directoryOf(arguments, scene);
 
-  // TBB's implicit arena fixes its number of threads at first use; ours has the number that is asked for.
+  // TBB's implicit arena fixes its number of threads at first use, so an explicit one is made with the requested
+  // number.
   const int threads = scene.solver.threads;
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   return arena.execute([&] {
     std::optional<Checkpoint> checkpoint;
     if (!arguments.resumed.empty()) checkpoint = checkpointIn(arguments.resumed);
     const SceneInput input = readWithWarnings(scene, interrupted, checkpoint ? &checkpoint->start : nullptr);
-    substepsOf(scene, input);  // refuses what cannot be simulated
+    substepsOf(scene, input);  // throws if the scene cannot be simulated
     if (checkpoint) checkResumable(*checkpoint, arguments.resumed, scene, input);
     const bool replays = scene.adaption && scene.adaption->verify;
     if (checkpoint && timeline(adaptingSchedule(scene), checkpoint->run.done).empty() &&

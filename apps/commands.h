@@ -1,4 +1,4 @@
-// What the program does, one function a command.
+// The commands of the program, one function each.
 #pragma once
 
 #include <atomic>
@@ -12,18 +12,19 @@ enum ExitCode { kDone = 0, kWrongInput = 1, kFailed = 2, kInterrupted = 130 };
 struct Arguments {
   std::string scene;
   std::string directory;  // empty: results/<name>
-  int threads = -1;       // -1: as the scene says
-  std::string resumed;    // directory of an earlier run to go on from, or empty
-  bool pieces = false;    // of `ease garment`
+  int threads = -1;       // number of threads; 0: all, -1: the scene's number
+  std::string resumed;    // directory of an earlier run to resume, or empty
+  bool pieces = false;    // `ease garment` also writes the garment cut into pieces
 };
 
-/// Prints "ease: KIND: LINE" on stderr, as one line whatever is in it.
+/// Prints "ease: KIND: LINE" on stderr; line ends within `line` become spaces.
 void say(const char* kind, const std::string& line);
 
-/// Calls `command`; whatever goes wrong becomes one line and an exit code.
+/// Calls `command` and returns its exit code.  Reports an exception as one line on stderr and returns the exit code
+/// that belongs to it.
 ExitCode guarded(const std::function<ExitCode()>& command);
 
-// Each looks at `interrupted` now and then and ends early where it is true.
+// Each command tests `interrupted` regularly and ends early if it is true.
 
 ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interrupted);
 ExitCode checkCommand(const Arguments& arguments, const std::atomic<bool>& interrupted);

@@ -1,4 +1,5 @@
-// A number that tells apart what is not the same to the last bit: FNV-1a, 64 bits.  Any one changed byte changes it.
+// A hash of bytes (FNV-1a, 64 bits), to find out whether data is the same bit for bit.  Changing any single byte
+// changes the hash.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 
 namespace ease {
 
-/// What the arrays of a garment's frame are computed from, besides the cloth and its state.
+/// Data from which the arrays of a garment's frame are computed, in addition to the cloth and its state.
 struct GarmentFields {
   const std::vector<Stretch>& stretch;
   const std::vector<double>& first_areas;  // areas of the first rest shape's triangles, m^2
@@ -20,13 +20,14 @@ struct GarmentFields {
   const std::vector<int>& pinned;          // vertices
 };
 
-/// The garment at one moment with all arrays of a run; those of contact only on a body.
+/// Makes the frame of the garment at one moment, with all arrays of a run.  Arrays about contact are left out if there
+/// is no body.
 Frame garmentFrame(const Cloth& cloth, const State& state, const GarmentFields& fields);
 
-/// The rest shape in space, with the arrays that belong to it.
+/// Makes the frame of the rest shape, embedded in space, with the arrays that belong to it.
 Frame restFrame(const Cloth& cloth, const std::vector<double>& first_areas);
 
-/// Undoes the renumbering of a mesh: positions and arrays in their original order.
+/// Undoes the renumbering of a mesh: returns positions and arrays in their original order.
 Frame restored(const Frame& frame, const Numbering& numbering);
 
 }  // namespace ease

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The made garment with the arrays that tell what the tools did.
+/// Makes a frame of the made garment with the arrays that show what the tools did.
 Frame madeGarmentFrame(const SceneInput& input) {
   Frame frame{input.garment.positions, {}, {}};
   for (const OutputArray<SceneInput>& array : madeGarmentArrays()) addArray(array, input, frame);
@@ -65,7 +65,7 @@ Json garmentJson(const Scene& scene, const SceneInput& input, const MeshQuality&
           {"seams", seams}};
 }
 
-/// "5.00 mm" or, where comfort has regions, "5.00 to 30.00 mm".
+/// Formats the comfort offsets as "5.00 mm", or as "5.00 to 30.00 mm" if they differ between regions.
 std::string wantedText(const std::vector<double>& offsets) {
   const auto [least, most] = std::minmax_element(offsets.begin(), offsets.end());
   return *least < *most ? fmt::format("{:.2f} to {:.2f} mm", 1e3 * *least, 1e3 * *most)
@@ -87,7 +87,7 @@ std::string summaryOf(const AuthoredGarment& authored) {
       times.extension_s, times.remeshing_s, times.seams_s, times.comfort_s);
 }
 
-/// Coloured by paint where there is any, otherwise by comfort; with the loops.
+/// Draws the garment with its loops, coloured by its paint or, if it has none, by comfort.
 std::string drawGarment(const SceneInput& input, const MeshQuality& quality, const std::filesystem::path& directory) {
   const TriangleMesh body{input.poses.front(), input.body_triangles};
   StretchView view{"", &input.garment, {}, &body};

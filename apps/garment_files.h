@@ -1,4 +1,4 @@
-// What `ease garment` writes of a garment that the scene's tools made.
+// Files that `ease garment` writes about a garment that the scene's tools made.
 #pragma once
 
 #include <atomic>
@@ -9,16 +9,16 @@
 
 namespace ease {
 
-/// Writes into `directory`, which exists: garment.obj; garment.vtp with the tools' work at every vertex and triangle;
-/// body.obj, the body that it was made on; garment.json with the loops' vertices, mesh quality and times; garment.png.
-/// Returns a few lines for people.  No picture once `interrupted` is true.  Throws ComputationError naming a file that
-/// could not be written.
+/// Writes these files into `directory`, which must exist: garment.obj; garment.vtp, with arrays that show what the
+/// tools did at every vertex and triangle; body.obj, the body that the garment was made on; garment.json, with the
+/// vertices of the loops, mesh quality and times; and garment.png, unless `interrupted` is true by then.  Returns a
+/// summary of a few lines.  Throws ComputationError naming a file that could not be written.
 std::string writeGarment(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
                          const std::atomic<bool>& interrupted);
 
-/// Cuts the garment, or its rest shape, along the seams: NAME.obj, NAME.vtp with the number of every triangle's piece,
-/// and NAME.json with the vertex of the whole garment that every vertex is, to glue them together again.  Returns a
-/// line for people.
+/// Cuts the garment, or its rest shape, along the seams.  Writes NAME.obj; NAME.vtp, with the number of the piece that
+/// each triangle belongs to; and NAME.json, which gives for each vertex of the pieces the vertex of the whole garment,
+/// so that the pieces can be joined again.  Returns a summary of one line.
 std::string writePieces(const TriangleMesh& garment, const std::vector<Seam>& seams,
                         const std::filesystem::path& directory, const std::string& name);
 

@@ -27,14 +27,14 @@ namespace ease {
 
 namespace {
 
-constexpr double kShownStretch = 0.1;  // marked in the picture of a run that has no limit
+constexpr double kShownStretch = 0.1;  // stretch marked in the pictures of a run without a limit
 
-/// A garment at the start and at the end of a replay.
+/// The garment at the start and at the end of a replay.
 struct ShownReplay {
   ShownGarment start, end;
 };
 
-/// Growth of every triangle's cloth from its first rest shape: sigma_1 of the map from the first to the present one.
+/// Measures the growth of every triangle: sigma_1 of the map from its first to its current rest shape.
 void measureGrowth(const std::vector<double>& first_areas, const Cloth& cloth, Report& report) {
   std::vector<double> growth(cloth.triangleCount());
   for (int t = 0; t < cloth.triangleCount(); ++t) {
@@ -124,7 +124,8 @@ class Job {
     cloth_->setFirst(RestShape(cloth_->rest()));
   }
 
-  /// The state to go on from, with what the scene paints beside what the earlier run had painted.
+  /// Returns the state to resume from.  Scale factors that the scene paints and the earlier run had not yet applied are
+  /// applied to its rest shape.
   RunState resumedState() {
     RunState state = resume_from_->run;
     const std::vector<double> more = paintBetween(resume_from_->paint, input_.paint);
@@ -150,14 +151,14 @@ class Job {
   void adaptingRun() {
     std::optional<SeriesOfRun> series;
     RunWatch run_watch = watch(scene_.adaption ? "adapting" : "simulating");
-    if (scene_.output && !momentsLeft().empty()) {  // otherwise the replays alone are left
+    if (scene_.output && !momentsLeft().empty()) {  // otherwise only the replays are left
       const double keep_until =
           append_to_series_ ? (resume_from_->run.done.all + 0.5) * resume_from_->time_step_s : -1.0;
       series.emplace(directory_, given_, numbering_, first_areas_, keep_until);
       run_watch.on_frame = [&](const Snapshot& snapshot) { series->write(snapshot); };
     }
     run_watch.on_checkpoint = [&](const RunState& state) {
-      if (series) series->finish();  // frames are on disk before what goes on from them
+      if (series) series->finish();  // frames must be on disk before the checkpoint after them
       writeCheckpoint(directory_ / kCheckpoint, checkpointOf(state));
     };
     const RunInput run_input = runInput(scene_, input_, body());
@@ -252,7 +253,7 @@ class Job {
   MovingBody* body() { return body_ ? &*body_ : nullptr; }
 
   const Scene& scene_;
-  const SceneInput& given_;  // numbered as its files are
+  const SceneInput& given_;  // in the numbering of its files
   const InputNumbering numbering_;
   const SceneInput input_;  // `given_` in the run's numbering
   const std::filesystem::path directory_;
@@ -262,8 +263,8 @@ class Job {
 
   std::optional<Cloth> cloth_;
   std::optional<MovingBody> body_;
-  std::vector<double> first_areas_;  // of the first rest shape's triangles, m^2
-  Positions end_;                    // of the garment after the run, m
+  std::vector<double> first_areas_;  // areas of the first rest shape's triangles, m^2
+  Positions end_;                    // positions of the garment after the run, m
   ShownReplay before_, after_;
   Report report_;
   std::optional<Progress> progress_;

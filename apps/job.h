@@ -1,4 +1,4 @@
-// A scene from start to end: the run that adapts, the replays that verify it, and all that is written.
+// A complete job: the run that adapts the garment of a scene, the replays that verify the result, and all output files.
 #pragma once
 
 #include <atomic>
@@ -10,9 +10,10 @@
 
 namespace ease {
 
-/// Simulates, adapts, verifies and writes into `directory`, which exists.  Returns false if `interrupted` became true
-/// before the end; what is on disk then is whole, as it is where this throws ComputationError.  `resume_from`: the run
-/// goes on from there.  `append_to_series`: it goes on in the same directory, whose series it continues.
+/// Simulates, adapts and verifies, and writes the results into `directory`, which must exist.  Returns false if
+/// `interrupted` became true before the end, and throws ComputationError if the computation fails; in both cases the
+/// files on disk are complete.  `resume_from`: checkpoint at which the run starts.  `append_to_series`: the resumed run
+/// writes into the directory of the earlier one and continues its series.
 bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
               const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& resume_from = std::nullopt,
               bool append_to_series = false);

@@ -19,7 +19,7 @@ Floats perTriangle(const RunSource& run, const Value& value) {
   return values;
 }
 
-/// The stretch that `member` points to, of every triangle.
+/// Returns one member of the stretch, such as `sigma_1`, of every triangle.
 Floats stretches(const RunSource& run, double Stretch::*member) {
   return perTriangle(run, [&](size_t t) { return run.fields->stretch[t].*member; });
 }
@@ -33,7 +33,7 @@ Floats velocities(const RunSource& run) {
   return Floats(v.data(), v.data() + v.size());
 }
 
-/// 1 at each vertex of `lists`, 0 elsewhere.
+/// Returns 1 at each vertex in one of the `lists` and 0 at the others.
 Floats marks(size_t count, const std::vector<std::vector<int>>& lists) {
   Floats values(count, 0.0F);
   for (const std::vector<int>& vertices : lists)
@@ -41,7 +41,7 @@ Floats marks(size_t count, const std::vector<std::vector<int>>& lists) {
   return values;
 }
 
-/// At each vertex, the number of the last loop or seam that it is on; -1 elsewhere.
+/// Returns for each vertex the number of the last loop or seam that it lies on, or -1 if there is none.
 template <class Line>
 Floats lineNumbers(size_t count, const std::vector<Line>& lines) {
   Floats values(count, -1.0F);

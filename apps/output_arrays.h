@@ -1,7 +1,7 @@
-// The arrays of every written mesh, as tables: a row says what an array is called and means, and computes its values.
+// Tables of the arrays in the written meshes: a row has the name and meaning of an array, and computes its values.
 //
-// From these tables come the arrays of the written files; a test compares the README's lists with them.  A new array
-// is a row here, a line of the README and a line in that test's own list.
+// All arrays of the written files come from these tables, and a test compares them with the lists in the README.  To
+// add an array, add a row to the table, a line to the README and a line to the list in that test.
 #pragma once
 
 #include <functional>
@@ -19,16 +19,16 @@ enum class Element { vertex, triangle };
 /// One array that is computed from a `Source`.
 template <class Source>
 struct OutputArray {
-  std::string name;                                          // ends in its unit where it has one
+  std::string name;                                          // ends in the unit, if it has one
   std::string unit;                                          // empty: a pure number
   Element element;                                           // what each value belongs to
   int components;                                            // values per element
-  std::string text;                                          // one line, for people
+  std::string text;                                          // description of one line
   std::function<std::vector<float>(const Source&)> compute;  // empty: this file has no such array
-  bool in_rest_shape = false;                                // files of the rest shape have it, too
+  bool in_rest_shape = false;                                // whether files of the rest shape have it, too
 };
 
-/// What the arrays of a run are computed from.  For the rest shape, `state` and `fields` are null.
+/// Data from which the arrays of a run are computed.  For the rest shape, `state` and `fields` are null.
 struct RunSource {
   const Cloth& cloth;
   const std::vector<double>& first_areas;  // areas of the first rest shape's triangles, m^2
@@ -36,13 +36,13 @@ struct RunSource {
   const GarmentFields* fields = nullptr;
 };
 
-/// Arrays of the garment over time and of the rest shape (`ease run`).
+/// Table of the arrays of the garment over time and of its rest shape (`ease run`).
 const std::vector<OutputArray<RunSource>>& runArrays();
 
-/// Arrays of a garment that the scene's tools made (`ease garment`).
+/// Table of the arrays of a garment that the scene's tools made (`ease garment`).
 const std::vector<OutputArray<SceneInput>>& madeGarmentArrays();
 
-/// Arrays of a garment or rest shape that is cut along its seams.
+/// Table of the arrays of a garment or rest shape that is cut along its seams.
 const std::vector<OutputArray<Pieces>>& pieceArrays();
 
 /// Computes an array and adds it to the frame, unless it has no values.

@@ -12,7 +12,7 @@ namespace ease {
 
 namespace {
 
-/// A loop by the name that it was authored with, or by where it lies.
+/// Finds a loop by the name that its tool gave it or, for a garment not made by tools, by a name for its place.
 std::vector<int> loopNamed(const std::string& name, const SceneInput& input, const Topology& topology) {
   if (!input.authored) return findLoop(topology, input.garment.positions, name);
   std::vector<std::string> names;

@@ -1,4 +1,4 @@
-// The vertices that a scene's pins mean: those of a loop, those listed, or those in a ball.
+// The vertices that a scene pins: the vertices of a boundary loop, vertices in a list, or vertices within a ball.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace ease {
 
-/// Finds the vertices of each [[garment.pin]] on the input's garment.  Throws InputError naming the pin: a loop that
-/// the garment does not have, no such vertex, an empty ball, a vertex that an earlier pin holds.
+/// Finds the vertices of each [[garment.pin]] on the input's garment.  Throws InputError naming the pin if the garment
+/// has no such loop or vertex, if no vertex lies in the ball, or if an earlier pin already holds one of the vertices.
 std::vector<std::vector<int>> pinnedVertices(const Scene& scene, const SceneInput& input, const Topology& topology);
 
 }  // namespace ease

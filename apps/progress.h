@@ -1,4 +1,5 @@
-// Progress of long work: one line that renews itself with the time left on a terminal, a line now and then elsewhere.
+// Progress of a long computation, with the time left.  On a terminal one line is updated in place; elsewhere, such as
+// in a log file, a new line is printed from time to time.
 #pragma once
 
 #include <chrono>
@@ -8,10 +9,11 @@ namespace ease {
 
 class Progress {
  public:
-  /// `total` units of work; writes to standard error.
+  /// Starts to report on `total` units of work; prints on standard error.
   explicit Progress(long total);
   ~Progress();  // ends the line
 
+  /// Counts one unit of work as done; `what` describes the work on the line.
   void advance(const std::string& what);
 
  private:
@@ -22,7 +24,7 @@ class Progress {
   Clock::time_point start_, last_;
 };
 
-/// "1 min 20 s"
+/// Formats a duration for people, for example "1 min 20 s".
 std::string durationText(double seconds);
 
 }  // namespace ease

@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// `limited`: there is a limit, so that the share of triangles over it has a meaning.  What was not measured is null.
+/// Returns statistics of the stretch as JSON, with null for values that were not measured.  `limited`: whether there is
+/// a limit; only then are there triangles over it to count.
 Json statistics(const std::optional<StretchStatistics>& s, bool limited) {
   Json json = {{"max", s ? Json(s->max) : Json()}, {"p99", s ? Json(s->p99) : Json()}};
   if (limited) json["share_over_limit"] = s ? Json(s->share_over_limit) : Json();
@@ -55,7 +56,7 @@ double perSecond(int steps, double seconds) {
   return seconds > 0.0 ? steps / seconds : 0.0;
 }
 
-/// The value where it was measured, otherwise null.
+/// Returns the value if it was measured, otherwise null.
 Json measuredIf(bool measured, const Json& value) {
   return measured ? value : Json();
 }
@@ -144,7 +145,7 @@ void writeReport(const Report& report, const Scene& scene, const std::filesystem
 }
 
 std::vector<std::string> depthWarnings(const Report& report) {
-  constexpr double kMaxDepth = 2e-3;  // m: deeper penetration is warned of
+  constexpr double kMaxDepth = 2e-3;  // m: deeper penetration causes a warning
   std::vector<std::string> warnings;
   const auto warn = [&](const char* garment, const Penetration& depth, const char* when) {
     if (deepest(depth) > kMaxDepth)

@@ -14,27 +14,29 @@ namespace ease {
 struct Report {
   int vertices = 0, triangles = 0;
   double time_step_s = 0.0;
-  double limit = 0.0;  // delta; 0: no adaption
+  double limit = 0.0;  // delta: principal stretch at most 1 + delta; 0: no adaption
   std::vector<std::string> pose_names;
-  std::optional<int> resumed_from_step;  // where a resumed run began; its counts begin there
+  std::optional<int> resumed_from_step;  // time step at which a resumed run began; its counts start there
   PassRecord run;
   bool verified = false;
-  PassRecord before, after;  // replays on the first and on the adapted rest shape
+  PassRecord before, after;  // replays with the first and with the adapted rest shape
   int folded_edges = 0;      // in the adapted rest shape (stitch.h)
   double growth_max = 1.0, growth_p99 = 1.0, growth_area_ratio = 1.0;
   double setup_s = 0.0, total_s = 0.0;
   bool interrupted = false;
-  std::string failure;  // where and why the computation stopped; empty: it did not
+  std::string failure;  // where and why the computation failed; empty if it did not
   std::vector<std::string> warnings;
 };
 
-/// Writes report.json into the directory, temporary name first.  Throws ComputationError naming the file.
+/// Writes report.json into the directory under a temporary name and then renames it.  Throws ComputationError naming
+/// the file.
 void writeReport(const Report& report, const Scene& scene, const std::filesystem::path& directory);
 
-/// Warnings, one line each, where the garment went deep into the body: in the run, or in the adapted garment's replay.
+/// Returns warnings, one line each, if the garment penetrated deep into the body during the run or during the replay of
+/// the adapted garment.
 std::vector<std::string> depthWarnings(const Report& report);
 
-/// The summary that the program prints at the end: a few lines.
+/// Returns the summary of a few lines that the program prints at the end.
 std::string summaryText(const Report& report);
 
 }  // namespace ease

@@ -20,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// garment.json last: where it is and is Ease's, so are the others.
+// Files about a made garment.  The last one, garment.json, shows by its content whether Ease wrote it and the others;
+// it is removed last.
 constexpr std::array kGarmentFiles = {"garment.obj", "garment.vtp", "garment.png", "body.obj",
                                       "pieces.obj",  "pieces.vtp",  "pieces.json", "garment.json"};
 
@@ -60,7 +61,7 @@ ResultDirectory::ResultDirectory(const fs::path& path) : path_(path) {
     removeEmpty();
     throw InputError(fmt::format("{}: cannot make this directory: {}", path.string(), error.message()));
   }
-  const fs::path probe = path / ".ease-writable";  // the same each time: one that a killed run left goes as well
+  const fs::path probe = path / ".ease-writable";  // a fixed name, so that the file of a killed run is removed, too
   errno = 0;
   const bool writable = static_cast<bool>(std::ofstream(probe) << '\n' << std::flush);
   const int reason = errno;
@@ -85,7 +86,7 @@ void ResultDirectory::removeOldGarment(const Scene& scene) const {
   if (!made.is_object() || !made.contains("quality") || !made.contains("loops")) return;
   const auto isRead = [&](const char* name) { return reads(scene, path_ / name); };
   if (std::any_of(kGarmentFiles.begin(), kGarmentFiles.end(), isRead)) return;
-  std::error_code is_directory;  // then writing tells
+  std::error_code is_directory;  // not an error yet: writing the file will report it
   for (const char* name : kGarmentFiles) fs::remove(path_ / name, is_directory);
 }
 

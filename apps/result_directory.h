@@ -10,16 +10,16 @@ namespace ease {
 
 class ResultDirectory {
  public:
-  /// Makes the directory and, for a moment, a file in it, so that a run does not end with nowhere to write to.  Throws
-  /// InputError with the system's reason.
+  /// Creates the directory and tests that a file can be written into it, so that a long run does not fail only when it
+  /// writes its results.  Throws InputError with the system's reason.
   explicit ResultDirectory(const std::filesystem::path& path);
-  /// Takes away those of the directories made that are still empty.
+  /// Removes the directories that the constructor created and that are still empty.
   ~ResultDirectory();
   ResultDirectory(const ResultDirectory&) = delete;
   ResultDirectory& operator=(const ResultDirectory&) = delete;
 
-  /// Removes what an earlier command wrote of a garment that tools made, and of its pieces: it may be another garment
-  /// than this scene's.  Nothing if the scene reads one of these files.
+  /// Removes the files that an earlier command wrote about a garment made by tools and about its pieces, because the
+  /// scene may now make another garment.  Removes nothing if the scene reads one of these files.
   void removeOldGarment(const Scene& scene) const;
 
  private:
@@ -29,12 +29,12 @@ class ResultDirectory {
   std::vector<std::filesystem::path> made_;  // innermost first
 };
 
-/// Removes the results of an earlier run that the one to come may not write again, and what one that was killed left
-/// unfinished.  `goes_on`: with that run; its series and checkpoint stay, and its report and pictures under other
-/// names.
+/// Removes the results of an earlier run, since the next run may not overwrite all of them, and the incomplete files of
+/// a run that was killed.  `goes_on`: the next run resumes the earlier one, whose series and checkpoint therefore stay,
+/// and whose report and pictures are kept under other names.
 void removeOldResults(const std::filesystem::path& directory, bool goes_on);
 
-/// Removes the report and pictures that removeOldResults() kept.
+/// Removes the report and pictures that removeOldResults() kept under other names.
 void removeEarlierReport(const std::filesystem::path& directory);
 
 }  // namespace ease

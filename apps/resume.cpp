@@ -16,7 +16,8 @@ using nlohmann::literals::operator""_json_pointer;
 
 namespace {
 
-/// Throws InputError unless the scene's motion begins with the poses that the body has met; otherwise it would jump.
+/// Throws InputError unless the scene's motion begins with the poses that the body has reached; with other poses the
+/// body would jump.
 void checkPosesMet(const Checkpoint& checkpoint, const std::string& directory, const Scene& scene,
                    const SceneInput& input) {
   const std::vector<std::uint64_t> met = posesMet(scene, input, checkpoint.run.done);
@@ -85,7 +86,7 @@ std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input,
   const int leg = scene.body ? scene.body->steps * scene.solver.steps_per_pose : 0;
   std::vector<std::uint64_t> met;
   for (int k = 0; k < std::ssize(poses) && (k == 0 || done.moving > (k - 1) * leg); ++k) {
-    // The shapes between two poses differ by direction (gradient_interpolation.h).
+    // Interpolated shapes between two poses depend on the direction (gradient_interpolation.h).
     const bool runs_back = done.moving < k * leg && poses[k] < poses[k - 1];
     const Positions& x = input.poses[poses[k]];
     met.push_back(fingerprint(x.data(), x.size() * sizeof(double)) + (runs_back ? 1 : 0));

@@ -1,4 +1,4 @@
-// Resuming an earlier run from its checkpoint: which scenes may, and what they take over.
+// Resuming an earlier run from its checkpoint: checks that the scene allows it, and reuses the run's start garment.
 #pragma once
 
 #include <filesystem>
@@ -10,21 +10,21 @@ namespace ease {
 
 constexpr const char* kCheckpoint = "checkpoint.bin";  // file in the directory of a run's results
 
-/// The checkpoint that an earlier run left in `directory`.  Throws InputError where there is none.
+/// Reads the checkpoint of the earlier run in `directory`.  Throws InputError if there is none.
 Checkpoint checkpointIn(const std::filesystem::path& directory);
 
-/// Throws InputError, naming what differs, where the scene cannot go on from the checkpoint in `directory`: another
-/// clock, or other poses than the body has met.
+/// Checks that the scene can be resumed from the checkpoint in `directory`.  Throws InputError naming what differs, if
+/// the scene has other time steps or if its motion begins with other poses than the body has already reached.
 void checkResumable(const Checkpoint& checkpoint, const std::filesystem::path& directory, const Scene& scene,
                     const SceneInput& input);
 
-/// Gives the garment of `input`, called `name` in messages, the positions that the earlier run began with.  Throws
-/// InputError where the triangles differ; warns where the positions did.
+/// Gives the garment of `input`, called `name` in messages, the positions with which the earlier run began.  Throws
+/// InputError if the triangles differ, and warns if the positions differed.
 void takeStartFrom(const StartGarment& earlier, const std::string& name, const Warn& warn, SceneInput& input);
 
-/// Fingerprints of the poses that the body has met after these steps, the last one being the pose that it is on its way
-/// to.  A pose approached on the way back has another fingerprint than on the way forth, since the shapes between two
-/// poses differ by direction.
+/// Returns fingerprints of the poses that the body has reached after these steps; the last one is that of the pose that
+/// the body is moving to.  While the body moves back to an earlier pose, that pose has another fingerprint, because the
+/// interpolated shapes between two poses depend on the direction.
 std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input, const StepsDone& done);
 
 /// Whether the run in `directory` wrote its report without interruption or failure; `with_replays`: replays included.

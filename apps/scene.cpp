@@ -13,7 +13,7 @@ namespace ease {
 
 namespace {
 
-// A motion longer than this is a slip of a key, not a scene: at 100 steps/s it would take a day.
+// A longer motion is assumed to be a typing error: at 100 steps per second it would take more than a day.
 constexpr double kMostTimeSteps = 1e7;
 
 BodyScene readBody(const TomlTable& table) {
@@ -183,7 +183,7 @@ OutputScene readOutput(const TomlTable& table) {
   return output;
 }
 
-/// The name becomes a folder of results: one plain folder, not hidden.
+/// Reads the scene's name.  It is also the name of the result folder, so it must be a single folder that is not hidden.
 std::string readName(const TomlTable& root, const std::filesystem::path& file) {
   const std::string name = root.text("name", file.stem().string());
   if (name.front() == '.' || name.find_first_of("/\\") != std::string::npos)
@@ -191,7 +191,7 @@ std::string readName(const TomlTable& root, const std::filesystem::path& file) {
   return name;
 }
 
-/// Refuses a motion of absurd length, before the number of its time steps could overflow.
+/// Throws InputError for a motion of absurd length, whose number of time steps could overflow.
 void checkLength(const TomlTable& root, const Scene& scene) {
   double steps = scene.solver.steps;
   if (scene.body) {

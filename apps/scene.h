@@ -1,4 +1,5 @@
-// The scene file: what to simulate, on which body, and what to write.  TOML; every key has its unit here.
+// The scene file (TOML): what to simulate, on which body, and what to write.  The fields below have the units of the
+// file's keys.
 #pragma once
 
 #include <filesystem>
@@ -18,25 +19,24 @@ namespace ease {
 
 struct BodyScene {
   std::vector<std::string> poses;  // mesh files relative to the scene file, or names of the built-in body's poses
-  std::string builtin;             // "mannequin", or empty: files
+  std::string builtin;             // "mannequin"; empty: the poses are read from files
   int steps =
-      Schedule()
-          .interpolation_steps;  // interpolation steps from a pose to the next; with one pose, how long it is held
-  bool match_triangles = false;  // match = "triangles"
+      Schedule().interpolation_steps;  // interpolation steps from one pose to the next; a single pose is held this long
+  bool match_triangles = false;        // match = "triangles": match the poses' vertices by their triangles
 };
 
 struct PinScene {
-  std::variant<std::string, std::vector<int>, Brush> what;  // loop, or vertices, or those in a ball
+  std::variant<std::string, std::vector<int>, Brush> what;  // name of a loop, list of vertices, or a ball
   bool to_body = true;  // to = "body" | "fixed"; by default to the body if there is one
 };
 
 struct GarmentScene {
-  std::string mesh;                      // file relative to the scene file, or empty: built in
+  std::string mesh;                      // file relative to the scene file; empty: built-in or made by tools
   std::string builtin;                   // "t-shirt", "dress"
-  int vertices = 3000;                   // of the built-in garment
-  std::optional<GarmentTools> tools;     // the garment is made on the first pose; otherwise mesh or builtin
+  int vertices = 3000;                   // approximate number of vertices of the built-in garment
+  std::optional<GarmentTools> tools;     // tools that make the garment on the first pose, instead of mesh or builtin
   std::vector<Brush> paint;              // scale factors of the rest shape
-  std::optional<double> comfort_offset;  // m; stands in CollisionScene too
+  std::optional<double> comfort_offset;  // m; copied to CollisionScene
   std::vector<Brush> comfort_regions;    // offsets, m
   Vec3 grain = {0.0, -1.0, 0.0};         // warp direction
   std::vector<PinScene> pins;
@@ -49,23 +49,23 @@ struct SolverScene {
   int iterations = MethodOptions().iterations;     // pd
   double time_step = Schedule().time_step;         // s
   int steps_per_pose = Schedule().steps_per_pose;  // time steps for each interpolation step
-  int steps = 0;                                   // time steps of a scene without a body
+  int steps = 0;                                   // number of time steps, for a scene without a body
   Vec3 gravity = RunSettings().gravity;            // m/s^2
-  int threads = 0;                                 // 0: all
+  int threads = 0;                                 // 0: as many as the machine has
 };
 
 struct CollisionScene {
-  double offset = RunSettings().comfort_offset;        // comfort: least distance to the body, m
-  double voxel = LevelSetOptions().voxel;              // m
+  double offset = RunSettings().comfort_offset;        // comfort offset: smallest distance to the body, m
+  double voxel = LevelSetOptions().voxel;              // voxel size of the level set, m
   double stiffness = RunSettings().contact_stiffness;  // contact pressure per depth, N/m^3
 };
 
 struct AdaptionScene {
   double limit = 0.1;  // delta: principal stretch at most 1 + delta
-  int every = 8;       // time steps
-  int cycles = 1;      // times through the motion
-  int settle = 0;      // time steps more on the last pose
-  bool verify = true;  // replay the motion on the first and on the adapted rest shape
+  int every = 8;       // time steps between measurements of the stretch
+  int cycles = 1;      // number of times that the motion is run through
+  int settle = 0;      // additional time steps on the last pose
+  bool verify = true;  // replay the motion with the first and with the adapted rest shape
 };
 
 struct OutputScene {
@@ -74,7 +74,7 @@ struct OutputScene {
 
 struct Scene {
   std::filesystem::path file;
-  std::string name;  // of the scene and of its folder of results; by default the file's
+  std::string name;  // name of the scene and of its result folder; by default the file's name
   std::optional<BodyScene> body;
   GarmentScene garment;
   Material material;
@@ -88,7 +88,7 @@ struct Scene {
 /// the nearest known one), wrong types, impossible values, missing tables, keys that exclude each other.
 Scene readScene(const std::filesystem::path& file);
 
-/// What a scene names, read and checked.
+/// The meshes and other data that a scene refers to, read and checked.
 struct SceneInput {
   TriangleMesh garment;
   Triangles body_triangles;  // empty: no body
@@ -96,36 +96,36 @@ struct SceneInput {
   std::vector<Positions> poses;        // same order as pose_names
   std::vector<std::vector<int>> pins;  // vertices of each [[garment.pin]]
   std::optional<AuthoredGarment> authored;
-  std::vector<double> offsets;        // comfort at every vertex of the garment, m
-  std::vector<double> paint;          // scale factor of every triangle's rest shape; empty: none is painted
+  std::vector<double> offsets;        // comfort offset of every vertex of the garment, m
+  std::vector<double> paint;          // scale factor of every triangle's rest shape; empty: no paint
   std::vector<std::string> warnings;  // one line each
 };
 
-/// What to do with a warning, one line.
+/// Function that receives a warning of one line.
 using Warn = std::function<void(const std::string&)>;
 
-/// The garment that a run began with, on the first pose, numbered as it came.
+/// The garment that a run began with, on the first pose, in its original numbering.
 struct StartGarment {
   TriangleMesh mesh;
-  double offset = 0.0;  // m: that a built-in one was made for
+  double offset = 0.0;  // comfort offset for which a built-in garment was made, m
 };
 
-/// Reads meshes and checks all that a run relies on; makes the garment that has tools.  Throws InputError.  `tell`: is
-/// given every warning as soon as it is known, since what follows may fail for the same reason.  `before`: of a run
-/// that goes on; the scene's garment must have its triangles, and takes its positions.  `pause`: between meshes and
-/// tools.
+/// Reads the meshes or makes the garment with the scene's tools, and checks everything that a run relies on.  Throws
+/// InputError.  `tell` receives every warning as soon as it is known, because a later error may have the same cause.
+/// `before` is the start garment of a run to be resumed: the scene's garment must have its triangles and gets its
+/// positions.  `pause` is called between meshes and between tools.
 SceneInput readSceneInput(const Scene& scene, const Warn& tell = nullptr, const StartGarment* before = nullptr,
                           const Pause& pause = nullptr);
 
-/// In which order a run has the vertices and triangles of its meshes.
+/// The order in which a run stores the vertices and triangles of its meshes.
 struct InputNumbering {
   Numbering garment, body;
 };
 
-/// Along a curve through space; the body's as it is in its first pose.
+/// Numbers vertices and triangles along a space-filling curve, those of the body by their places in its first pose.
 InputNumbering spatialNumbering(const SceneInput& input);
 
-/// The same meshes in another order; without what authoring alone knows.
+/// Returns the input in another order of vertices and triangles.  `authored` is left empty.
 SceneInput renumbered(const SceneInput& input, const InputNumbering& numbering);
 
 }  // namespace ease

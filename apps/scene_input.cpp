@@ -1,4 +1,4 @@
-// Reads the meshes that a scene names and refuses what a run could not work with.
+// Reads the meshes that a scene names and throws InputError if a run could not work with them.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -25,16 +25,16 @@ namespace {
 
 constexpr double kLowestPerson = 0.4;          // m: a newborn, curled up
 constexpr double kTallestPerson = 2.6;         // m: arms raised
-constexpr double kFarthestGarment = 0.5;       // m from the body, at its nearest
-constexpr double kDeepestGarment = 0.001;      // m inside the body: less is the roundness of meshes
-constexpr double kLargestLimit = 0.5;          // of stretch: no cloth bears more, 1.08 for 8 % is a slip
-constexpr double kLeastProjectedGrain = 1e-6;  // of a unit grain, in a triangle's plane
+constexpr double kFarthestGarment = 0.5;       // m: distance between garment and body
+constexpr double kDeepestGarment = 0.001;      // m inside the body: less may come from coarse meshes
+constexpr double kLargestLimit = 0.5;          // stretch limit; no cloth stands more, 1.08 for 8 % is an error
+constexpr double kLeastProjectedGrain = 1e-6;  // length of a unit grain vector in a triangle's plane
 
 std::filesystem::path besideScene(const Scene& scene, const std::string& file) {
   return (scene.file.parent_path() / file).lexically_normal();
 }
 
-/// The mesh that a key of the scene names.
+/// Reads the mesh that a key of the scene names.
 TriangleMesh readNamedMesh(const Scene& scene, const char* key, const std::string& file) {
   const std::filesystem::path path = besideScene(scene, file);
   if (!std::filesystem::exists(path))
@@ -42,7 +42,7 @@ TriangleMesh readNamedMesh(const Scene& scene, const char* key, const std::strin
   return readMesh(path);
 }
 
-/// Six times the volume that a closed mesh encloses, m^3; negative if its triangles face inwards.
+/// Returns six times the volume that a closed mesh encloses, m^3; negative if its triangles face inwards.
 double sixVolumes(const TriangleMesh& mesh) {
   double sum = 0.0;
   const Vec3 origin = mesh.positions.row(0);
@@ -55,7 +55,8 @@ double sixVolumes(const TriangleMesh& mesh) {
   return sum;
 }
 
-/// A body has an inside and an outside.  It may overlap itself and may have several parts.
+/// Checks that a body is closed and oriented outwards, so that it has an inside and an outside.  It may intersect
+/// itself and may have several parts.
 void checkBody(const TriangleMesh& mesh, const std::string& name) {
   int open_edges = 0;
   for (const Edge& edge : buildTopology(mesh, name).edges) open_edges += edge.isBoundary() ? 1 : 0;
@@ -72,7 +73,7 @@ void warnOfHeight(const Positions& pose, const std::string& name, const Warn& wa
 }
 
 void readFilePoses(const Scene& scene, const Warn& warn, const Pause& pause, SceneInput& input) {
-  std::map<std::string, size_t> seen;  // poses that return are read once
+  std::map<std::string, size_t> seen;  // repeated poses are read only once
   TriangleMesh first;
   std::string first_name;
   for (const std::string& file : scene.body->poses) {
@@ -125,7 +126,7 @@ void readPoses(const Scene& scene, const Warn& warn, const Pause& pause, SceneIn
   }
 }
 
-/// What `make` makes; what it refuses is said of the scene's [garment].
+/// Returns the result of `make()`.  Puts the scene's file and "[garment]" before the message of an InputError.
 template <class Make>
 auto ofGarment(const Scene& scene, const Make& make) {
   try {
@@ -135,7 +136,8 @@ auto ofGarment(const Scene& scene, const Make& make) {
   }
 }
 
-/// Reads or makes the garment; returns what to call it in messages.  `offset`: that a built-in one is made for, m.
+/// Reads or makes the garment and returns its name for messages.  `offset`: comfort offset for which a built-in garment
+/// is made, m.
 std::string readGarment(const Scene& scene, double offset, const Warn& warn, const Pause& pause, SceneInput& input) {
   const GarmentScene& garment = scene.garment;
   if (garment.tools) {
@@ -158,7 +160,8 @@ std::string readGarment(const Scene& scene, double offset, const Warn& warn, con
   return file.string();
 }
 
-/// Warp is the grain projected into each triangle; a triangle square to the grain would have none.
+/// Checks that every triangle has a warp direction, which is the grain projected into its plane: a triangle at right
+/// angles to the grain has none.
 void checkGrain(const Scene& scene, const TriangleMesh& garment) {
   const Vec3& grain = scene.garment.grain;
   for (int t = 0; t < garment.triangles.rows(); ++t) {
@@ -175,7 +178,7 @@ void checkGrain(const Scene& scene, const TriangleMesh& garment) {
   }
 }
 
-/// Distance of the nearest vertex, m.
+/// Returns the smallest distance between a vertex and the body, m.
 double distanceBetween(const Positions& positions, const TriangleTree& body) {
   double nearest = std::numeric_limits<double>::max();
   for (Eigen::Index v = 0; v < positions.rows(); ++v) {
@@ -185,7 +188,8 @@ double distanceBetween(const Positions& positions, const TriangleTree& body) {
   return nearest;
 }
 
-/// The garment starts on the body: not elsewhere, and not inside, where contact would push it out on any side.
+/// Checks that the garment starts on the body: not far from it, and not inside, where contact could push vertices out
+/// on the wrong side.
 void checkStart(const SceneInput& input, const std::string& garment_name) {
   const TriangleTree body(input.poses.front(), input.body_triangles);
   double nearest = kFarthestGarment, deepest = 0.0;
@@ -226,7 +230,7 @@ SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarme
         fmt::format("{}: [adaption] limit = {:g}: cloth stretched up to {:g} times its length stays as it is; 0.08 "
                     "stands for 8 %",
                     scene.file.string(), scene.adaption->limit, 1.0 + scene.adaption->limit));
-  // A garment that is authored needs its body; otherwise its faults are told first.
+  // Tools need the body before they can make a garment.  Otherwise the garment is read and checked before the body.
   if (scene.garment.tools) readPoses(scene, warn, pause, input);
   const std::string name = readGarment(scene, before ? before->offset : scene.collision.offset, warn, pause, input);
   if (before) takeStartFrom(*before, name, warn, input);

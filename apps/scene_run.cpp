@@ -10,8 +10,8 @@ namespace ease {
 
 namespace {
 
-constexpr double kBeyondComfort = 0.025;  // m: level sets are exact this far beyond the largest comfort offset
-constexpr int kDefaultInterval = 8;       // time steps between measurements where a scene says nothing
+constexpr double kBeyondComfort = 0.025;  // m: width beyond the comfort offset where level sets are exact
+constexpr int kDefaultInterval = 8;       // time steps between measurements by default
 
 double bodyMotion(const Scene& scene, const SceneInput& input) {
   return bodyMotionPerStep(replaySchedule(scene), input.poses, input.garment.positions);

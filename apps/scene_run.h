@@ -1,4 +1,4 @@
-// From a scene to a run: what the loop in adaption/run.h needs, taken from the scene and the meshes it names.
+// Translation of a scene and its meshes to the settings and inputs of a run (adaption/run.h).
 #pragma once
 
 #include "adaption/run.h"
@@ -6,21 +6,21 @@
 
 namespace ease {
 
-/// The run that adapts the garment and writes its frames.
+/// Returns the schedule of the run that adapts the garment and writes its frames.
 Schedule adaptingSchedule(const Scene& scene);
-/// Once through the motion, without adaption and without frames.
+/// Returns the schedule of a replay: the motion once, without adaption and without frames.
 Schedule replaySchedule(const Scene& scene);
 
 RunSettings runSettings(const Scene& scene, const Schedule& schedule);
 
-/// `body`: null without one.
+/// Returns the input of a run.  `body` is null for a scene without a body.
 RunInput runInput(const Scene& scene, const SceneInput& input, MovingBody* body);
 
-/// Into how many parts the scene's steps are divided.  Throws InputError, naming the scene's file and key, where the
-/// body moves too far in a time step.
+/// Returns the number of substeps into which the scene's steps are divided.  Throws InputError naming the scene's file
+/// and key if the body moves too far in one time step.
 Substeps substepsOf(const Scene& scene, const SceneInput& input);
 
-/// The scene's body, with interpolation steps divided as substepsOf() says.
+/// Makes the scene's moving body, with its interpolation steps divided as substepsOf() says.
 MovingBody movingBody(const Scene& scene, const SceneInput& input);
 
 }  // namespace ease

@@ -8,7 +8,7 @@ namespace ease {
 
 namespace {
 
-constexpr double kFarthest = 100.0;  // m: of any point
+constexpr double kFarthest = 100.0;  // m: largest coordinate of a point
 
 void require(const TomlTable& table, const char* key, const char* expected) {
   if (!table.has(key)) table.refuse(key, expected);

@@ -1,4 +1,4 @@
-// The scene's tables of the six garment tools.
+// Reads the scene's tables for the tools that make a garment.
 #pragma once
 
 #include "apps/scene.h"
@@ -6,10 +6,10 @@
 
 namespace ease {
 
-/// Three numbers of at most `most` in size, in `unit`; `fallback` where absent.
+/// Reads three numbers in `unit`, each between -`most` and `most`; returns `fallback` if the key is absent.
 Vec3 readVec3(const TomlTable& table, std::string_view key, const Vec3& fallback, double most, const char* unit);
 
-/// `at` and `radius`, m, both required.
+/// Reads a ball: its centre `at` and its `radius`, both required, m.
 Brush readBall(const TomlTable& table);
 
 /// Reads boundary, region, resolution, edge_length, smoothing, extension, paint, comfort and seam of [garment].

@@ -13,14 +13,14 @@ namespace ease {
 
 class SeriesOfRun {
  public:
-  /// `given`: the meshes before they were renumbered for the run; frames are written in that numbering.
-  /// `first_areas`: of the first rest shape's triangles, in the run's numbering, m^2.  Series that are in the directory
-  /// already are continued; their frames after `keep_until` (s) are replaced.
+  /// Starts the series.  `given`: the meshes as they were before they were renumbered for the run; frames are written
+  /// in that numbering.  `first_areas`: areas of the first rest shape's triangles, in the run's numbering, m^2.  Series
+  /// in the directory are continued: their frames up to `keep_until` (s) stay, later ones are replaced.
   SeriesOfRun(const std::filesystem::path& directory, const SceneInput& given, const InputNumbering& numbering,
               const std::vector<double>& first_areas, double keep_until = -1.0);
 
   void write(const Snapshot& snapshot);
-  /// Waits until all frames are on disk; throws as Series::write() does.
+  /// Waits until all frames are on disk; throws like Series::write().
   void finish();
 
  private:

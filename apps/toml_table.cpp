@@ -18,7 +18,7 @@ struct TomlTable::Data {
   const toml::table* table;
   std::string file;
   std::string path;  // "", "garment", "garment.pin"
-  bool of_array;     // one of [[path]]
+  bool of_array;     // whether it is an entry of [[path]]
 
   std::string label() const {
     if (path.empty()) return "";
@@ -35,13 +35,13 @@ struct TomlTable::Data {
 
 namespace {
 
-/// A number with as few digits as tell it from its neighbours, and a point or an exponent to tell it from a whole one.
+/// Formats a number with the fewest digits that identify it, and with a point or an exponent to show it is no integer.
 std::string fractionText(double value) {
   const std::string text = fmt::format("{}", value);
   return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
 }
 
-/// The value as TOML, on one line, cut where it is long.
+/// Formats a value as TOML on one line, shortened if it is long.
 std::string valueText(const toml::node& node) {
   constexpr size_t kLongest = 60;
   std::string text;
@@ -220,7 +220,7 @@ std::string TomlTable::choice(std::string_view key, const std::string& fallback,
 
 namespace {
 
-/// Entries of an array by `read`, or the entry (counted from 1) that `read` refused and its type.
+/// Reads the entries of an array by `read`; if that fails, sets `fault` to what was found instead.
 template <class Value, class Read>
 std::vector<Value> readArray(const toml::node& node, const Read& read, std::string& fault) {
   const toml::array* array = node.as_array();

@@ -1,8 +1,8 @@
-// A table of a TOML file, read with checks: whatever is wrong becomes one line for the user,
+// A table of a TOML file whose values are checked when they are read.  Every error is one line for the user:
 //
 //   FILE:LINE: [table] key = value: expected ...
 //
-// The TOML library is seen by the source file only.
+// Only the source file includes the TOML library.
 #pragma once
 
 #include <filesystem>
@@ -15,39 +15,40 @@
 
 namespace ease {
 
-/// The numbers that make sense for a key, in its unit: low <= x <= high, or low < x <= high.
+/// Range of the valid values of a key, in its unit: low <= x <= high, or low < x <= high.
 struct Range {
   double low;
   double high;
-  bool above_low = false;  // low itself is left out
+  bool above_low = false;  // whether `low` itself is excluded
   const char* unit = "";
 };
 
 class TomlTable {
  public:
-  /// The file's root table.  Throws InputError if the file is missing or is not TOML.
+  /// Reads the file and returns its root table.  Throws InputError if the file is missing or is not TOML.
   static TomlTable read(const std::filesystem::path& file);
 
-  /// Refuses every key but these, naming the nearest of them.  Call it first: a misspelt key explains a missing one.
+  /// Throws InputError if the table has a key other than these, and suggests the most similar of them.  To be called
+  /// before reading: a misspelt key should be reported as such, not as a missing one.
   void allow(std::initializer_list<std::string_view> keys) const;
 
   bool has(std::string_view key) const;
 
-  /// [key]; nothing if absent.
+  /// Returns the table [key], or nothing if it is absent.
   std::optional<TomlTable> table(std::string_view key) const;
-  /// [[key]], in the file's order; empty if absent.
+  /// Returns the array of tables [[key]] in the file's order; empty if it is absent.
   std::vector<TomlTable> tables(std::string_view key) const;
 
-  // Values of keys, `fallback` where absent.  Refused, as by refuse(): another type, a number out of range or not
-  // finite.
+  // Each function returns the value of a key, or `fallback` if the key is absent.  It throws like refuse() if the value
+  // has another type, or is a number that is out of range or not finite.
   double number(std::string_view key, double fallback, const Range& range) const;
   int integer(std::string_view key, int fallback, int low, int high) const;
   bool boolean(std::string_view key, bool fallback) const;
   std::string text(std::string_view key, const std::string& fallback) const;
   std::string choice(std::string_view key, const std::string& fallback, const std::vector<std::string>& words) const;
 
-  // Arrays, empty where absent.  A single value is no array, and an array that is there has at least one entry.  Rows
-  // are arrays of `length` numbers.
+  // Each function returns an array, empty if the key is absent.  It throws like refuse() for a single value and for an
+  // array without entries.  Each of the `rows` is an array of `length` numbers.
   std::vector<double> numbers(std::string_view key, const Range& range) const;
   std::vector<std::vector<double>> rows(std::string_view key, const Range& range, size_t length) const;
   std::vector<int> integers(std::string_view key, int low, int high) const;
@@ -56,7 +57,7 @@ class TomlTable {
   bool isArray(std::string_view key) const;
   bool isText(std::string_view key) const;
 
-  /// Throws InputError: the key's line and value (or that it is missing), and what was expected.
+  /// Throws InputError with the key's line and value (or that it is missing) and with what was expected.
   [[noreturn]] void refuse(std::string_view key, const std::string& expected) const;
 
  private:

@@ -6,7 +6,8 @@ namespace ease {
 
 namespace {
 
-/// Keystrokes between two words, the restricted Damerau-Levenshtein distance: row by row of the table of prefixes.
+/// Returns the restricted Damerau-Levenshtein distance between two words: the number of edits that turn one into the
+/// other.  distance[i][j] is that of the first i letters of `a` from the first j of `b`.
 size_t keystrokesBetween(std::string_view a, std::string_view b) {
   std::vector<std::vector<size_t>> distance(a.size() + 1, std::vector<size_t>(b.size() + 1));
   for (size_t i = 0; i <= a.size(); ++i) distance[i][0] = i;

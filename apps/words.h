@@ -1,4 +1,4 @@
-// Words for messages: lists, and the word that was probably meant.
+// Text for messages: lists of words, and suggestions for misspelt words.
 #pragma once
 
 #include <string>
@@ -7,14 +7,15 @@
 
 namespace ease {
 
-/// "'a', 'b' or 'c'".
+/// Joins the words to a list such as "'a', 'b' or 'c'".
 std::string listWords(const std::vector<std::string>& words);
 
-/// The text with spaces for line ends and other characters that a terminal obeys.
+/// Returns the text with line ends and other control characters replaced by spaces.
 std::string oneLine(std::string_view text);
 
-/// The word that is fewest keystrokes away from `word` (a letter more, less, other, or two swapped), if a third of
-/// them at most differ; otherwise an empty string.
+/// Returns the word with the smallest edit distance from `word`, where an edit inserts, deletes or replaces a letter or
+/// swaps two neighbours.  Returns an empty string if more edits are needed than two and than a third of `word`'s
+/// letters.
 std::string nearestWord(std::string_view word, const std::vector<std::string>& words);
 
 }  // namespace ease

@@ -14,8 +14,9 @@ namespace {
 
 constexpr int kDifferences = 5;
 constexpr int kGrain = 1024;
-constexpr int kPlain = 8;  // iterations before Chebyshev's weights set in
-// rho: over the last of so many iterations, or of those until corrections are so small beside the first.
+constexpr int kPlain = 8;  // plain iterations before Chebyshev's weights are applied
+// rho is measured over the last kWindow of at most kMeasured iterations, which end when the correction is shorter than
+// kSmall times the first one.
 constexpr size_t kMeasured = 150, kWindow = 20;
 constexpr double kSmall = 1e-8, kMostRate = 1.0 - 1e-6;
 

@@ -1,4 +1,4 @@
-// What a program was built from, for its results: compiler, flags and libraries.
+// The compiler, flags and libraries that a program was built with, to be stored with its results.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace ease {
 
-/// Adds "compiler", "build_type", "flags", "eigen" and "libraries" to what Google Benchmark writes about the machine.
+/// Adds "compiler", "build_type", "flags", "eigen" and "libraries" to the context that Google Benchmark writes.
 void describeBuild();
 
-/// Files of the shared libraries that this process has loaded and whose versions matter for its speed: the files' own
-/// names, which have the versions, not those that they are linked by.
+/// Returns the files of the loaded shared libraries whose versions matter for speed.  Symbolic links are resolved,
+/// since only the names of the files themselves contain the version.
 std::vector<std::string> loadedLibraries();
 
 }  // namespace ease

@@ -1,13 +1,14 @@
-// The scene drape-2pin, on which other codes' figures are known: its rest state against theirs, and the time of a step
-// of 1/60 s for every method and error.
+// The scene drape-2pin, for which results of other codes are known: compares the rest state with theirs, and measures
+// time and error of a step of 1/60 s for every method.
 //
 //   drape_2pin [--quick] [options of Google Benchmark]
 //
 //   mean_sigma_1   larger principal stretch, mean over rest area, dimensionless
-//   centre_sag_m   how far the middle hangs below the two corners, m
+//   centre_sag_m   distance of the middle below the two corners, m
 //
-// 120 steps are timed, undamped; in 480 more the velocities are multiplied by .95 after each step: rest.  Four
-// independent implicit codes agree about it (kConsensus); `agrees` says whether a method does.
+// 120 steps without damping are timed.  In 480 more steps the velocities are multiplied by 0.95 after each step, so
+// that the sheet comes to rest.  Four independent implicit codes agree about the rest state (kConsensus); the counter
+// `agrees` shows whether a method agrees with them.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -33,7 +34,7 @@ struct Rest {
 constexpr Rest kConsensus[] = {{32, 1.00159, 1.00165, 0.5209, 0.5213},
                                {64, 1.00165, 1.00169, 0.5135, 0.5139},
                                {100, 1.00165, 1.00165, 0.5114, 0.5114}};
-constexpr double kSigmaSlack = 5e-5;  // beyond the range of the codes
+constexpr double kSigmaSlack = 5e-5;  // tolerance beyond the range of the codes
 constexpr double kSagSlack = 1e-3;    // m
 
 double meanStretch(const Cloth& cloth, const Positions& x) {
@@ -47,8 +48,8 @@ double meanStretch(const Cloth& cloth, const Positions& x) {
   return sum / area;
 }
 
-/// Sag of vertex (N/2, N/2), m.  N, the vertices along an edge, is even, so that this vertex lies half a cell beyond
-/// the middle; other codes take theirs there, too.
+/// Returns the sag of vertex (N/2, N/2), m.  The number of vertices along an edge, N, is even, so that this vertex lies
+/// half a cell beyond the middle; the other codes also measure the sag there.
 double centreSag(const Positions& x, int side) {
   return -x(side / 2 * side + side / 2, 1);
 }

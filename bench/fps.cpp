@@ -1,11 +1,12 @@
-// Time steps per second against the number of vertices: the main job, with moving body, contact, adaption and output.
+// Time steps per second against the number of vertices, for a complete job with moving body, contact, adaption and
+// output.
 //
 //   fps [--quick] [--data=DIR] [options of Google Benchmark]
 //
-// On scenes/t-shirt.toml with its garment remeshed, and on the scans in DIR where there are any; every method with its
-// defaults.  The time is that of a step, all included but setting up (`setup_s`), the first step, which factors
-// (`first_step_s`), and the replays; ms_step alone is the simulation.  Large meshes take fewer steps than small ones
-// (`steps`), and one run, not three.
+// The scenes are scenes/t-shirt.toml with its garment remeshed, and the scans in DIR if there are any; every method has
+// its default settings.  The time of a step includes everything except the setup (`setup_s`), the first step, which
+// factors the system (`first_step_s`), and the replays; ms_step is the time of the simulation alone.  Large meshes take
+// fewer steps (`steps`), and one run instead of three.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -19,10 +20,11 @@ using namespace ease;
 
 namespace {
 
-constexpr int kRuns = 3, kLarge = 20000;  // runs of garments with fewer vertices than that; of larger ones, 1
+constexpr int kRuns = 3, kLarge = 20000;  // kRuns runs below kLarge vertices, otherwise one
 constexpr JobLimits kOfLarge{60, 1, 10.0};
 
-/// A built-in garment is made once for all methods, and read from a file like any other.
+/// Returns the scene with a built-in garment replaced by a mesh file, so that the garment is made only once for all
+/// methods.
 Scene withGarmentFile(Scene scene) {
   static const ScratchDirectory scratch;
   if (scene.garment.builtin.empty()) return scene;

@@ -1,10 +1,13 @@
-// Damaged inputs: scenes, meshes of every format, each read by a command in a process of its own (tests/fuzz).  A case
-// is a kind of input; counters:
+// Robustness against damaged inputs: scenes, and meshes of every format (tests/fuzz).  Every input is read by a command
+// in a process of its own.  Each case is one kind of input, with these counters:
 //
-//   tried                       damaged inputs, but for those that ask for a long job
-//   done, refused, failed       exit codes 0, 1 and 2
-//   crashes, hangs, unclear     ended by a signal; not after minutes; without one clear line, or files left half
-//   written
+//   tried      damaged inputs, except those that ask for a long job
+//   done       commands with exit code 0
+//   refused    commands with exit code 1
+//   failed     commands with exit code 2
+//   crashes    commands ended by a signal
+//   hangs      commands still running after minutes
+//   unclear    commands that did not print one clear line, or left incomplete files
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
-// Level sets of a pose: time to prepare one, time of a sample, memory, and error against exact distances.
+// The level set of a pose: time to build it, time per sample, memory, and error compared with exact distances.
 //
 //   level_set_bench [--data=DIR] [--voxel=METRES] [options of Google Benchmark]
 //
-// On the scans in DIR where there are any, else on a capsule.  Exit code 1 if an error exceeds its bound.
+// The bodies are the scans in DIR or, if there are none, a capsule.  The exit code is 1 if an error exceeds its bound.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -25,14 +25,14 @@ namespace {
 
 using namespace ease;
 
-constexpr double kWithin = 0.005;        // m: errors are taken this near to the surface
-constexpr double kMarginInVoxels = 0.3;  // samples may move this far until the next pose
-constexpr double kSway = 0.004;          // m: by which the body moves from one pose to the next
+constexpr double kWithin = 0.005;        // m: errors are measured up to this distance
+constexpr double kMarginInVoxels = 0.3;  // distance that samples may move until the next pose
+constexpr double kSway = 0.004;          // m: motion of the body from one pose to the next
 
 struct Subject {
   std::string name;
   TriangleMesh body;
-  std::vector<Vec3> samples;  // of a garment
+  std::vector<Vec3> samples;  // contact samples of a garment
 };
 
 /// Errors of the level set's distances, mm; `wrong_signs` is the share of points on the wrong side.
@@ -40,10 +40,10 @@ struct Errors {
   double median, p95, max, wrong_signs;
 };
 
-/// What the errors may be at a voxel of 1 cm: about twice what the scans give.
+/// Largest allowed errors at a voxel of 1 cm: about twice the errors of the scans.
 constexpr Errors kBound = {0.06, 0.3, 2.5, 0.01};
 
-/// Positions of the garment's contact samples.
+/// Returns the positions of the garment's contact samples.
 std::vector<Vec3> samplesOf(const TriangleMesh& garment, const std::string& name) {
   std::vector<Vec3> samples;
   const Topology topology = buildTopology(garment, name);
@@ -62,14 +62,14 @@ std::vector<Subject> scans(const std::filesystem::path& data) {
   return subjects;
 }
 
-/// A sleeve 5 mm off a limb, as many triangles and samples as a scan and a shirt have.
+/// Makes a limb and a sleeve 5 mm away from it, with about as many triangles and samples as a scan and a shirt.
 std::vector<Subject> capsules() {
   const double half_length = 0.4, radius = 0.15;
   TriangleMesh sleeve = bodies::capsule(half_length, radius + 0.005, 18);
   return {{"capsule/sleeve", bodies::capsule(half_length, radius, 48), samplesOf(sleeve, "sleeve")}};
 }
 
-/// Points within 5 mm of the surface, each beside the one nearest to a sample.
+/// Returns points within 5 mm of the surface, each on the normal at the surface point closest to a sample.
 std::vector<Vec3> pointsNearSurface(const TriangleTree& tree, const std::vector<Vec3>& samples) {
   std::vector<Vec3> points;
   for (size_t i = 0; i < samples.size(); ++i) {
@@ -81,7 +81,8 @@ std::vector<Vec3> pointsNearSurface(const TriangleTree& tree, const std::vector<
   return points;
 }
 
-/// Signs of exact distances are by winding number, those of the level set by pseudonormals.
+/// Measures the errors of the level set at the points.  Exact distances get their sign from the winding number, those
+/// of the level set from pseudonormals.
 Errors measureErrors(const TriangleTree& tree, LevelSet& level_set, const std::vector<Vec3>& points, double voxel) {
   level_set.build(tree, points, kMarginInVoxels * voxel);
   std::vector<LevelSetSample> samples(points.size());
@@ -123,7 +124,7 @@ void sampleAll(benchmark::State& state, const Subject& subject, double voxel) {
       static_cast<double>(samples.size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// Prints the errors; false where one exceeds its bound, which holds for 1 cm and grows with the voxel.
+/// Prints the errors; returns false if one exceeds its bound, which is kBound at 1 cm and grows with the voxel.
 bool checkErrors(const Subject& subject, double voxel) {
   const TriangleTree tree(subject.body.positions, subject.body.triangles);
   LevelSet level_set({.voxel = voxel, .band = 0.03});

@@ -10,9 +10,9 @@ namespace ease {
 
 namespace {
 
-constexpr double kMeasure = 0.01;  // s at least, of the best of five
+constexpr double kMeasure = 0.01;  // s: shortest duration of each of the five measurements
 
-/// Least seconds of one call.
+/// Returns the time of one call in the fastest of five measurements, s.
 template <class Work>
 double leastSeconds(const Work& work) {
   double least = 1e9;
@@ -57,8 +57,8 @@ double peakFlops() {
   return 2.0 * std::pow(kSize, 3) / seconds;
 }
 
-// Row by row, up the elimination tree (Liu 1990): a column gets an entry in this row if it lies on the way from one of
-// the row's entries to the row itself.
+// Entries of L are counted row by row with the elimination tree (Liu 1990): a column has an entry in a row if it lies
+// on the path in the tree from one of the row's entries to the row itself.
 double factorFlops(const SparseMatrix& lower, std::span<const int> ordering, int block) {
   const int n = static_cast<int>(lower.rows());
   std::vector<int> place(n), parent(n, -1), reached_by(n, -1);

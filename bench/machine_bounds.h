@@ -1,4 +1,4 @@
-// What this machine can do at best: the bounds that the phases of a step are held against.
+// The best performance of this machine, with which the phases of a step are compared.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,17 @@
 
 namespace ease {
 
-/// Bytes per second at which all threads together read `bytes` over and over; within a cache where they fit.  Each
-/// thread reads from one place or from four at once, whichever is faster: one place alone does not saturate the memory
-/// bus.
+/// Measures the bandwidth, bytes per second, at which all threads together read the same `bytes` repeatedly; this is
+/// the bandwidth of a cache if they fit into one.  Each thread reads one stream or four streams at once, whichever is
+/// faster, because one stream does not saturate the memory bus.
 double readBandwidth(size_t bytes);
 
-/// Floating-point operations per second of one thread, multiplying dense matrices.
+/// Measures the floating-point operations per second of one thread that multiplies dense matrices.
 double peakFlops();
 
-/// Floating-point operations of a Cholesky factorisation of a symmetric pattern, each of whose rows stands for
-/// `block` x `block` scalar ones: the sum over columns of the squares of their entries in L.
+/// Counts the floating-point operations of a sparse Cholesky factorisation: the sum over the columns of L of the
+/// squared number of their entries.  Each entry of the symmetric pattern `lower` stands for a block of `block` x
+/// `block` numbers.
 double factorFlops(const SparseMatrix& lower, std::span<const int> ordering, int block);
 
 }  // namespace ease

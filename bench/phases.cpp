@@ -1,19 +1,23 @@
-// Where the time of a step goes, phase by phase, and how far each phase is from what the machine can do.
+// The time of each phase of a step, compared with a lower bound that the machine sets.
 //
 //   phases [--quick] [options of Google Benchmark]
 //
 //   local      energy and gradient of a step (the local step of projective dynamics, the residual of Newton)
-//   membrane   the same without bending
+//   membrane   energy and gradient of a step without bending
 //   hessian    assembly of Newton's matrix
-//   product    Newton's matrix times a vector, bending included: one conjugate gradient iteration, its solve apart
-//   factor1    Cholesky factor of the projective system, n x n;     solve1   its solves, 3 right-hand sides
-//   factor3    of Newton's system, 3n x 3n;                         solve3   its solves, 1 right-hand side
-//   level-set  of a pose around a garment of n vertices: a sleeve of 5 mm ease on a limb of 36,000 triangles
+//   product    Newton's matrix times a vector, bending included: a conjugate gradient iteration without preconditioner
+//   factor1    Cholesky factorisation of the projective system, n x n
+//   solve1     solve with this factor, 3 right-hand sides
+//   factor3    Cholesky factorisation of Newton's system, 3n x 3n
+//   solve3     solve with this factor, 1 right-hand side
+//   level-set  level set of a pose around a garment of n vertices: a sleeve 5 mm away from a limb of 36,000 triangles
 //
-// bound_ms: memory that must be read, over the bandwidth measured for as much memory with all threads, read over and
-// over as well, so that caches keep as much of it (local, product, solves: triangles, matrices and factors; vectors, a
-// twentieth of that, are taken to stay in a cache); floating-point operations over the peak measured on one thread, as
-// CHOLMOD has it (factors).  The hanging sheet of sheets.h, k = 500 N/m, h = 1/60 s.
+// bound_ms is the lower bound.  For local, product and solves: memory that must be read / measured bandwidth.  The
+// memory is that of triangles, matrices and factors; vectors, a twentieth of it, are assumed to stay in a cache.  The
+// bandwidth is measured with all threads by reading as much memory repeatedly, so that caches have the same effect.
+// For factors: floating-point operations / measured peak of one thread, since CHOLMOD uses one thread.
+//
+// The cloth is the hanging sheet of sheets.h with k = 500 N/m and h = 1/60 s.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -31,9 +35,9 @@ using namespace ease;
 
 namespace {
 
-constexpr double kPerTriangle = 220.0;  // bytes: corners, D^-1, conditions; its corners' forces written and read
-constexpr double kPerBending = 12.0;    // bytes of an entry of the bending matrix; 19 a vertex
-constexpr double kPerBlock = 76.0;      // bytes of a 3 x 3 block and its column
+constexpr double kPerTriangle = 220.0;  // bytes: corners, D^-1, conditions; forces at the corners written and read
+constexpr double kPerBending = 12.0;    // bytes per entry of the bending matrix, which has 19 per vertex
+constexpr double kPerBlock = 76.0;      // bytes of a 3 x 3 block and its column index
 
 struct Scene {
   std::unique_ptr<Sheet> sheet;
@@ -57,7 +61,8 @@ struct Scene {
   double bendingBytes() const { return 19.0 * kPerBending * vertices(); }
 };
 
-/// Made when first asked for, and kept until another is.
+/// Returns the scene with `side` vertices along an edge.  Makes it on the first request and keeps it until another one
+/// is requested.
 Scene& sceneOf(int side) {
   static std::unique_ptr<Scene> scene;
   if (!scene || scene->vertices() != side * side) scene = std::make_unique<Scene>(side);
@@ -110,7 +115,8 @@ void measureProduct(benchmark::State& state, int side) {
   bound(state, bytes / readBandwidth(static_cast<size_t>(bytes)));
 }
 
-/// The projective system's pattern with values that are as good: a graph's Laplacian and a little more.
+/// Makes a matrix with the pattern of the projective system.  Its values, a graph Laplacian plus 0.1 on the diagonal,
+/// make it positive definite; others would take the same time.
 SparseMatrix projectiveMatrix(const Cloth& cloth) {
   SparseMatrix lower = vertexPattern(cloth.vertexCount(), cloth.triangles());
   std::vector<double> degree(cloth.vertexCount(), 0.1);
@@ -125,7 +131,7 @@ SparseMatrix projectiveMatrix(const Cloth& cloth) {
   return lower;
 }
 
-/// One system, 1 or 3 rows to a vertex.
+/// The projective system, with one row per vertex, or Newton's system, with three.
 struct System {
   SparseMatrix matrix;
   Cholesky cholesky{Cholesky::Kind::kSupernodal};
@@ -152,7 +158,8 @@ struct System {
   }
 };
 
-/// Makes the system when it is first asked for, and keeps it until another is.
+/// Returns the system with `rows` rows per vertex.  Makes it on the first request and keeps it until another one is
+/// requested.
 System& systemOf(int side, int rows) {
   static std::unique_ptr<System> system;
   static int made_for[2] = {0, 0};
@@ -185,7 +192,8 @@ void measureLevelSet(benchmark::State& state, int vertices) {
   const double half_length = 0.3, radius = 0.12, voxel = 0.01;
   const TriangleMesh limb = bodies::capsule(half_length, radius, 48);
   const TriangleTree tree(limb.positions, limb.triangles);
-  // 4 rings vertices around; 2 rings of these on the half spheres, and as dense on the tube.
+  // The sleeve has 4 * rings vertices around its axis and 2 * rings rows of them on its two half spheres; rows on the
+  // tube have the same distance.
   const double rows_per_ring = 2.0 + 2.0 * half_length / (0.5 * std::numbers::pi * radius);
   const int rings = static_cast<int>(std::lround(std::sqrt(vertices / (4.0 * rows_per_ring))));
   const TriangleMesh sleeve = bodies::capsule(half_length, radius + 0.005, rings);

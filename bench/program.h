@@ -1,4 +1,4 @@
-// What the programs share: options of their own, beside those of Google Benchmark, and the course of main().
+// Functions shared by the benchmark programs: options in addition to those of Google Benchmark, and the body of main().
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -13,7 +13,7 @@
 
 namespace ease {
 
-/// Takes `--name=value` out of the arguments.
+/// Removes `--name=value` from the arguments and returns the value, or `otherwise` if the option is absent.
 inline std::string takeOption(int& count, char** arguments, const std::string& name, const std::string& otherwise) {
   const std::string prefix = "--" + name + "=";
   for (int i = 1; i < count; ++i) {
@@ -26,7 +26,7 @@ inline std::string takeOption(int& count, char** arguments, const std::string& n
   return otherwise;
 }
 
-/// Takes `--name` out of the arguments; whether it was there.
+/// Removes `--name` from the arguments; returns whether it was there.
 inline bool takeFlag(int& count, char** arguments, const std::string& name) {
   for (int i = 1; i < count; ++i) {
     if (arguments[i] != "--" + name) continue;
@@ -37,15 +37,17 @@ inline bool takeFlag(int& count, char** arguments, const std::string& name) {
   return false;
 }
 
-/// Says of the repetition at hand that it has no result, and why.  Within the loop over `state`; not SkipWithError,
-/// with which Google Benchmark stops where other repetitions of the case had none.  `seconds`: for its own statistics.
+/// Marks the current repetition as one without a result, with the reason; to be called within the loop over `state`.
+/// SkipWithError cannot be used for this, because Google Benchmark then stops if only some repetitions of a case have
+/// no result.  `seconds`: time to report for this repetition.
 inline void tellNoResult(benchmark::State& state, const std::string& why, double seconds = 0.0) {
   state.SetIterationTime(seconds);
   state.counters["no_result"] = 1.0;
   state.SetLabel(why);
 }
 
-/// Runs what `register_all` registers, fewer and shorter ones with `--quick`; the exit code.  Errors name the program.
+/// Runs the benchmarks that `register_all` registers and returns the exit code.  `--quick` asks for fewer and shorter
+/// ones.  Error messages begin with the name of the program.
 inline int runBenchmarks(int count, char** arguments, const std::string& program,
                          const std::function<void(bool quick)>& register_all) try {
   const bool quick = takeFlag(count, arguments, "quick");

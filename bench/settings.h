@@ -1,4 +1,4 @@
-// The methods with the settings that trade their speed for accuracy: a curve of the charts each.
+// Settings of each method that trade speed for accuracy.  The settings of one method give one curve of the charts.
 #pragma once
 
 #include <optional>
@@ -10,23 +10,23 @@
 namespace ease {
 
 struct Setting {
-  std::string method;  // as in a scene, or of the bench alone
-  std::string knob;    // the key of [solver] that is turned, or "none"
+  std::string method;  // name in a scene, or in accelerated_pd.h
+  std::string knob;    // key of [solver] that is varied, or "none"
   double value;
-  MethodOptions options;                     // of a method as in a scene
-  std::optional<Acceleration> acceleration;  // of another, with options.iterations
+  MethodOptions options;                     // options of a method that scenes can name
+  std::optional<Acceleration> acceleration;  // another method, which also uses options.iterations
 };
 
-/// All methods as a scene names them.
+/// Returns the names of all methods that scenes can name.
 const std::vector<std::string>& allMethods();
 
-/// Methods of the bench alone (accelerated_pd.h).
+/// Returns the names of the methods that only the benchmarks have (accelerated_pd.h).
 const std::vector<std::string>& acceleratedMethods();
 
-/// From loose to tight; a few (`coarse`) or twice as many.
+/// Returns the settings of a method, from loose to tight; with `coarse` about half as many.
 std::vector<Setting> settingsOf(const std::string& method, bool coarse);
 
-/// The default of a method in a scene.
+/// Returns the default setting that a method has in a scene.
 Setting defaultSettingOf(const std::string& method);
 
 }  // namespace ease

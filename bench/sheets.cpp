@@ -15,16 +15,16 @@ constexpr double kDensity = 0.2;  // kg/m^2
 
 // The taut sheet:
 constexpr double kWiden = 1.05;
-// Pins that are shaken:
+// Shaken pins:
 constexpr double kTravel = 0.15;    // m, from end to end
 constexpr double kFrequency = 2.0;  // Hz
 // The hanging sheet:
 constexpr double kNarrow = 0.9;
-constexpr double kRipple = 5e-3;  // m: so that it need not buckle from a plane
+constexpr double kRipple = 5e-3;  // m: initial ripple, so that the sheet does not have to buckle out of a plane
 // The thrown sheet:
 constexpr double kThrown = 2.0;  // m/s
 
-/// m; starts at rest.
+/// Returns the displacement of shaken pins at a time, m.  The motion starts at rest.
 double shake(double time) {
   return kTravel * std::pow(std::sin(std::numbers::pi * kFrequency * time), 2);
 }
@@ -46,7 +46,7 @@ std::unique_ptr<Sheet> sheetOf(const std::string& name, const TriangleMesh& mesh
   return sheet;
 }
 
-/// Pins where the state starts, and moved along `direction` as time goes.
+/// Pins the vertices at their start positions and shakes them along `direction`.
 void holdShaken(Sheet& sheet, std::vector<int> vertices, const Vec3& direction) {
   std::vector<Vec3> places;
   for (int v : vertices) places.push_back(sheet.start.positions.row(v));
@@ -57,7 +57,7 @@ void holdShaken(Sheet& sheet, std::vector<int> vertices, const Vec3& direction) 
   };
 }
 
-/// Mesh of drape-2pin: vertex i side + j at (j, 0, i)/(side - 1), diagonals alternating.
+/// Makes the mesh of drape-2pin: vertex i side + j is at (j, 0, i)/(side - 1), and diagonals alternate.
 TriangleMesh drapeMesh(int side) {
   TriangleMesh mesh;
   mesh.positions.resize(side * side, 3);

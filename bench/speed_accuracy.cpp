@@ -2,7 +2,7 @@
 //
 //   speed_accuracy [--quick] [options of Google Benchmark]
 //
-// What an error is: step_error.h, trajectory_curve.h.  The sheets: sheets.h.
+// Errors are defined in step_error.h and trajectory_curve.h, the sheets in sheets.h.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ std::vector<Setting> settingsOfAll(bool coarse) {
   return all;
 }
 
-/// Without those of newton and pd that are tighter than 1e-6, or take seconds, on a large mesh.
+/// Removes the settings of newton and pd that are tighter than 1e-6 or take seconds on a large mesh.
 std::vector<Setting> withoutTightest(std::vector<Setting> settings) {
   std::erase_if(settings, [](const Setting& s) {
     return (s.method == "newton" && s.value < 1e-2) || (s.method == "pd" && s.value > 100.0);
@@ -46,8 +46,8 @@ void registerQuick() {
       settings);
 }
 
-/// The taut sheet: every k, h and n.  The hanging one, whose steps take many times as long, along both axes through the
-/// middle at 1k, and the middle alone at 4k.
+/// Registers single steps.  The taut sheet has every combination of k, h and n.  Steps of the hanging sheet take many
+/// times as long: at 1k vertices only one of k and h differs from its middle value, at 4k neither.
 void registerFullSteps() {
   const std::vector<Setting> settings = withAccelerated(settingsOfAll(false)), few = settingsOfAll(true);
   const std::vector<Setting> of_large = withoutTightest(settings);
@@ -61,8 +61,8 @@ void registerFullSteps() {
     }
 }
 
-/// The taut sheet: every k and h at 1k vertices.  References take four and sixteen times as long at 4k and 16k: the
-/// shortest h is left out there, and at 16k all k but the middle one.
+/// Registers trajectories of the taut sheet, with every k and h at 1k vertices.  References take four times as long at
+/// 4k vertices and sixteen times at 16k: the shortest h is left out at both, and at 16k only the middle k is kept.
 void registerFullTrajectories() {
   const std::vector<Setting> few = settingsOfAll(true);
   for (double k : {50.0, 500.0, 5000.0}) {

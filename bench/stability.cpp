@@ -1,16 +1,20 @@
-// Where methods fail: a map over time step and stiffness, each method with its defaults.
+// Maps over time step and stiffness of where each method, with its default settings, fails.
 //
 //   stability [--quick] [options of Google Benchmark]
 //
-// On the taut and the hanging sheet, shaken, and on the thrown one (sheets.h), 256 vertices (quick:
-// 144); twelve steps (quick: eight) of the method's own from the start, each step's error measured against Newton to
-// 1e-5 m/s^2 from the same state (step_error.h).  Counters:
+// The sheets are the shaken taut and hanging sheets and the thrown one (sheets.h) with 256 vertices (quick: 144).  The
+// method takes twelve steps (quick: eight) from the start.  The reference of each step is Newton's method from the same
+// state, to a residual of 1e-5 m/s^2 (step_error.h).  Counters:
 //
-//   error          mean over the steps; of the hanging sheet, which has several minima, of the lesser of the error and
-//                  the square root of the energy gap (for a quadratic energy: the error in the energy's own norm)
-//   grade          2 converged: error at most .1;  1 degraded;  0 failed: no better than no step at all (`of_start`
-//                  above .95), a position that is not finite or 1 km away, or a step that stopped (`stopped`: at which)
-//   of_start       mean like `error`'s, of another measure (step_error.h)
+//   error          mean error of the steps.  The hanging sheet has several minima; there, a step counts with its error
+//                  or the square root of its energy gap (for a quadratic energy: the error in the energy norm),
+//                  whichever is smaller
+//   of_start       mean, in the same way, of the error relative to the start of the step (step_error.h)
+//   grade          2 converged: error at most 0.1
+//                  1 degraded
+//                  0 failed: no better than no step at all (`of_start` above 0.95), a position that is not finite or
+//                    more than 1 km away, or a step that could not be completed
+//   stopped        number of the step that failed, from 1; 0: none
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -27,11 +31,11 @@ using namespace ease;
 
 namespace {
 
-/// Vertices along an edge, and steps.
+/// Number of vertices along an edge and number of steps.
 struct Size {
   int side = 16, steps = 12;
 };
-constexpr double kFar = 1e3;                 // m
+constexpr double kFar = 1e3;                 // m: positions beyond this count as failure
 constexpr double kReferenceResidual = 1e-5;  // m/s^2
 constexpr double kConverged = 0.1, kUseless = 0.95;
 
@@ -44,14 +48,14 @@ struct Cell {
   Setting setting;
 };
 
-/// What the steps came to.
+/// Result of the steps of one cell of the map.
 struct Outcome {
   double error = 0.0, of_start = 0.0, worst = 0.0, seconds = 0.0;
-  int stopped = 0;        // step, from 1; 0: none
-  bool reference = true;  // false: the reference itself stopped
+  int stopped = 0;        // number of the step that failed, from 1; 0: none
+  bool reference = true;  // false: the reference solver failed
 };
 
-/// `error`, or the square root of the energy gap where that is less and the sheet has several minima.
+/// Returns `error`; for the hanging sheet, which has several minima, at most the square root of the energy gap.
 double lesserError(const Cell& cell, double error, const StepError& e) {
   return cell.sheet == "hanging" ? std::min(error, std::sqrt(std::max(0.0, e.energy_gap))) : error;
 }

@@ -1,9 +1,11 @@
-// Time of what a step is made of, against the number of vertices: gradient (local step), global solve, one iteration of
-// each method.  A square sheet held by two corners sags, stretched by a tenth at first; no contact.
+// Time of the parts of a step against the number of vertices: gradient (local step), global solve, and one iteration of
+// each method.  The scene is a square sheet that hangs by two corners without contact and is stretched by a tenth at
+// first.
 //
 //   step_bench [--benchmark_filter=...]
 //
-// Each case checks its own answer and fails otherwise: that a solve solves, that an iteration lowers the potential.
+// Each case checks its result and fails if it is wrong: a solve must solve its system, and an iteration must lower the
+// potential.
 #include <benchmark/benchmark.h>
 
 #include "solver/linear/dot.h"
@@ -65,7 +67,7 @@ void gradient(benchmark::State& state) {
   state.counters["ns_per_triangle"] =
       benchmark::Counter(static_cast<double>(sheet.cloth.triangleCount()) * state.iterations() * 1e-9,
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-  // The gradient must be the potential's slope.
+  // The gradient must agree with finite differences of the potential.
   const Positions d = randomPositions(sheet.cloth.vertexCount(), 5);
   Point up = sheet.point, down = sheet.point;
   up.x += 1e-7 * d, down.x -= 1e-7 * d;
@@ -101,12 +103,12 @@ void globalSolve(benchmark::State& state) {
 }
 BENCHMARK(globalSolve)->Apply(sizes);
 
-// One more iteration of a method, from the start of a step.
+/// Measures iterations of a method, always from the start of a step.  `iterate` does `per_run` iterations.
 template <class Iterate>
 void iterations(benchmark::State& state, int per_run, const Iterate& iterate) {
   Sheet sheet(static_cast<int>(state.range(0)));
   const Point start = sheet.point;
-  iterate(sheet);  // factors
+  iterate(sheet);  // makes the factors, which is not timed
   for (auto _ : state) {
     sheet.point = start;
     iterate(sheet);

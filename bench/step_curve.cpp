@@ -25,7 +25,7 @@ struct Reference {
   std::vector<ReferenceStep> steps;
 };
 
-/// Made when first asked for, and kept until another is.
+/// Returns the reference of a case.  Computes it on the first request and keeps it until another case is requested.
 const Reference& referenceOf(const StepCase& c) {
   static std::string name;
   static Reference reference;
@@ -37,12 +37,12 @@ const Reference& referenceOf(const StepCase& c) {
   return reference;
 }
 
-/// The settings of one method, in their order: a setting is not tried after one that was too slow.
+/// State shared by the settings of one method, which are tried in order; those after a too slow one are skipped.
 struct Sweep {
-  double slowest_s = 0.0;  // mean of a setting
+  double slowest_s = 0.0;  // largest mean time of a step of any setting so far, s
 };
 
-/// One setting, through its repetitions.
+/// Measures one setting; each call is one repetition.
 class Trial {
  public:
   Trial(const StepCase& step_case, const Setting& setting, std::shared_ptr<Sweep> sweep)
@@ -120,12 +120,12 @@ class Trial {
   StepCase case_;
   Setting setting_;
   std::shared_ptr<Sweep> sweep_;
-  std::optional<TimeStep> step_;  // or
+  std::optional<TimeStep> step_;  // the method: either this or `accelerated_`
   std::optional<AcceleratedPd> accelerated_;
   std::optional<StepJudge> judge_;
   int run_ = 0;
   bool too_slow_ = false;
-  std::string failure_;  // the first; nothing is done from then on
+  std::string failure_;  // message of the first error, after which no step is taken
   double setup_ms_ = 0.0, total_s_ = 0.0;
 };
 

@@ -1,10 +1,11 @@
-// How far from its minimum a method left a step of a sheet, against Newton's method taken to round-off.
+// The error of one step of a sheet: the distance of a method's result from the step's minimum, which Newton's method
+// finds to round-off.
 //
-//   x        where the method ended            x_ref   the minimum of the step's potential E
-//   x_hat    x_n + h v_n, with pins where they go: where every method starts
-//   |d|_M    sqrt(sum_i m_i |d_i|^2), norm of the masses
+//   x        result of the method              x_ref   minimum of the step's potential E
+//   x_hat    x_n + h v_n, with pins at their new places: the start of every method
+//   |d|_M    sqrt(sum_i m_i |d_i|^2), mass norm
 //
-//   error        |x - x_ref|_M over the length that [solver] tolerance is relative to (minimiser.h), at x_ref
+//   error        |x - x_ref|_M / the length that [solver] tolerance is relative to (minimiser.h), at x_ref
 //   of_start     |x - x_ref|_M / |x_ref - x_hat|_M                  1: no better than no step at all
 //   energy_gap   (E(x) - E(x_ref)) / (E(x_hat) - E(x_ref))          may be negative where a step has several minima
 #pragma once
@@ -17,24 +18,24 @@ namespace ease {
 
 struct StepError {
   double error = 0.0, of_start = 0.0, energy_gap = 0.0;
-  double largest_mm = 0.0;         // of a vertex
+  double largest_mm = 0.0;         // largest distance of a vertex from its reference
   double residual_m_s2 = 0.0;      // largest |dE/dx_i| / m_i
-  double sigma_1_max_error = 0.0;  // |difference| of the largest principal stretch, which adaption looks at
-  double sigma_1_p99_error = 0.0;  // and of its 99th percentile
+  double sigma_1_max_error = 0.0;  // |difference| of the largest principal stretch, which adaption limits
+  double sigma_1_p99_error = 0.0;  // |difference| of the 99th percentile of the principal stretch
 };
 
-/// A step of a trajectory, and its minimum.
+/// A step of a trajectory and the minimum of its potential.
 struct ReferenceStep {
   double time;  // s, at its start
   State start;
   Positions minimum;
 };
 
-/// Newton's method to a residual acceleration (m/s^2): to round-off with the default.
+/// Solves steps by Newton's method down to a residual acceleration (m/s^2); the default reaches round-off.
 class ReferenceSolver {
  public:
   explicit ReferenceSolver(const Sheet& sheet, double residual = 1e-9);
-  /// Fills the minimum of a step of `h` (s) from its start.
+  /// Computes the minimum of a step of `h` (s) from its start, and stores it in `step`.
   void findMinimum(double h, ReferenceStep& step);
 
  private:
@@ -42,8 +43,8 @@ class ReferenceSolver {
   TimeStep newton_;
 };
 
-/// Steps of `h` (s), `count` of them one after the other from about `from_time` (s) on.  Until then the sheet moves by
-/// `auto`, to 1 % a step.
+/// Computes `count` consecutive steps of `h` (s) that begin at about `from_time` (s).  Before that time the sheet is
+/// moved by the method `auto` with a tolerance of 1 % per step.
 std::vector<ReferenceStep> referenceSteps(const Sheet& sheet, double h, double from_time, int count);
 
 class StepJudge {
@@ -56,7 +57,7 @@ class StepJudge {
   IncrementalPotential potential_;
 };
 
-/// sqrt(sum_i m_i |d_i|^2), m sqrt(kg).
+/// Returns the mass norm sqrt(sum_i m_i |d_i|^2), m sqrt(kg).
 double massNorm(const Cloth& cloth, const Positions& d);
 
 }  // namespace ease

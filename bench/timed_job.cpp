@@ -23,7 +23,7 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// What came after an earlier moment.
+/// Returns the times that were spent between two moments of a run.
 PassTimes operator-(const PassTimes& later, const PassTimes& earlier) {
   return {later.total - earlier.total,
           later.step - earlier.step,
@@ -94,13 +94,13 @@ class Job {
   const Scene& scene_;
   const JobLimits& limits_;
   JobTiming& timing_;
-  PassRecord first_;  // after the first step
+  PassRecord first_;  // record after the first step
   std::atomic<bool> enough_ = false;
   int steps_ = 0;
   Clock::time_point begin_;
 };
 
-/// Calls `work(timing)` in a child process, and returns what it made of the timing.
+/// Calls `work(timing)` in a child process and returns the timing that it has filled in.
 template <class Work>
 JobTiming inChild(const Work& work) {
   int ends[2];

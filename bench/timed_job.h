@@ -1,5 +1,5 @@
-// The first time steps of a scene's run, with adaption and output, timed in a process of its own, so that its peak
-// memory is its own.
+// Times the first time steps of a scene's run, with adaption and output.  The run has a process of its own, so that its
+// peak memory can be measured.
 #pragma once
 
 #include <string>
@@ -10,32 +10,32 @@
 namespace ease {
 
 struct JobLimits {
-  int steps = 60;         // time steps that are timed, at most
-  int least = 3;          // and at least
-  double seconds = 15.0;  // after these no further step is begun
+  int steps = 60;         // largest number of timed steps
+  int least = 3;          // smallest number of timed steps
+  double seconds = 15.0;  // s: after this time no further step is begun
 };
 
-/// The first step, which analyses and factors, is not among those that are timed.  Seconds are wall time of all of them
-/// together.
+/// Times of a job: wall time of all timed steps together.  The first step, which analyses and factors the system, is
+/// not one of them.
 struct JobTiming {
   int vertices = 0, steps = 0, substeps = 0;
   double setup_s = 0.0;       // reading garment and body
-  double first_step_s = 0.0;  // with the first level set
-  double run_s = 0.0;         // everything else
+  double first_step_s = 0.0;  // first step, including the first level set
+  double run_s = 0.0;         // all timed steps
   PassTimes times;
   double peak_memory_MB = 0.0;
   double handed_over = 0.0, newton_iterations = 0.0, projective_iterations = 0.0;
-  double penetration_mm = 0.0;  // deepest sample
-  char failure[256] = "";       // empty, or why the run stopped
+  double penetration_mm = 0.0;  // depth of the deepest point in the body
+  char failure[256] = "";       // reason why the run stopped, or empty
 };
 
-/// Forks, so that nothing parallel may have run before in this process.
+/// Runs and times a job in a child process.  It calls fork(), so this process must not have started any threads before.
 JobTiming timeJob(const Scene& scene, const JobLimits& limits);
 
-/// Makes the scene's garment, in a process of its own as well, and writes it as a mesh.
+/// Makes the scene's garment and writes it as a mesh, also in a child process.
 void writeGarment(const Scene& scene, const std::filesystem::path& file);
 
-/// A folder that is removed in the end.
+/// A temporary folder, which the destructor removes.
 struct ScratchDirectory {
   std::filesystem::path path;
   ScratchDirectory();

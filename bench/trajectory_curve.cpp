@@ -16,16 +16,17 @@ namespace ease {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Snapshots = std::vector<Positions>;  // at common instants
+using Snapshots = std::vector<Positions>;  // at the instants that all trajectories share
 
-constexpr int kFiner = 16;  // of the reference's steps, in the least time step of the curves
+constexpr int kFiner = 16;  // steps of the reference per smallest time step of the curves
 const MethodOptions kReference{Method::newton, 0.0, 1e-6, 0}, kRoundOff{Method::newton, 0.0, 1e-9, 0};
 
 std::string nameOf(const TrajectoryCase& c) {
   return fmt::format("trajectory/sheet:{}/n:{}/k:{:g}", c.sheet, c.side * c.side, c.k);
 }
 
-/// Common instants are where the longest step ends.
+/// Computes a trajectory and returns its positions at the shared instants, which are the ends of the longest time
+/// steps.
 Snapshots snapshots(const Sheet& sheet, const MethodOptions& options, const TrajectoryCase& c, int rate) {
   TimeStep step(sheet.cloth, options, sheet.ordering);
   State state = sheet.start;
@@ -41,10 +42,10 @@ Snapshots snapshots(const Sheet& sheet, const MethodOptions& options, const Traj
 struct Reference {
   std::unique_ptr<Sheet> sheet;
   Snapshots exact;
-  std::map<int, Snapshots> newton;  // with the same time step, by rate
+  std::map<int, Snapshots> newton;  // Newton's method with the time step of each rate
 };
 
-/// Made when first asked for, and kept until another is.
+/// Returns the reference of a case.  Computes it on the first request and keeps it until another case is requested.
 const Reference& referenceOf(const TrajectoryCase& c) {
   static std::string name;
   static Reference reference;
@@ -61,7 +62,7 @@ const Reference& referenceOf(const TrajectoryCase& c) {
   return reference;
 }
 
-/// sum_t |a - b|_M^2
+/// Returns sum_t |a - b|_M^2, kg m^2.
 double squaredDistance(const Cloth& cloth, const Snapshots& a, const Snapshots& b) {
   double sum = 0.0;
   for (size_t i = 0; i < a.size(); ++i) sum += std::pow(massNorm(cloth, a[i] - b[i]), 2);
@@ -83,7 +84,7 @@ struct Trial {
   TrajectoryCase trajectory;
   Setting setting;
   int rate;
-  std::shared_ptr<double> slowest_s;  // of the method's settings so far
+  std::shared_ptr<double> slowest_s;  // longest time of the method's settings so far
   bool started = false, too_slow = false;
   int run = 0;
   double total_s = 0.0;

@@ -13,12 +13,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// From the lowest value to the limit, and from there to the highest.
+// Colours at equal distances: kBelow from the lowest value to the limit, kOver from the limit to the highest value.
 const std::vector<Rgb> kBelow = {{234, 242, 248}, {190, 214, 229}, {124, 176, 211}};
 const std::vector<Rgb> kOver = {{243, 112, 33}, {201, 42, 28}, {122, 8, 38}};
 constexpr Rgb kNotANumber = {128, 128, 128};
 
-// Ottosson 2020: linear sRGB to cone responses, and their cube roots to Oklab.
+// Matrices of Ottosson 2020: from linear sRGB to cone responses, and from the cube roots of these to Oklab.
 const Matrix3d kToCones{{0.4122214708, 0.5363325363, 0.0514459929},
                         {0.2119034982, 0.6806995451, 0.1073969566},
                         {0.0883024619, 0.2817188376, 0.6299787005}};
@@ -26,10 +26,12 @@ const Matrix3d kToLab{{0.2104542553, 0.7936177850, -0.0040720468},
                       {1.9779984951, -2.4285922050, 0.4505937099},
                       {0.0259040371, 0.7827717662, -0.8086757660}};
 
-// The transfer function of IEC 61966-2-1 and its inverse.
+/// Converts an sRGB component to linear light by the transfer function of IEC 61966-2-1; both are in [0, 1].
 double toLinear(double s) {
   return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
+
+/// Converts linear light to an sRGB component, the inverse of toLinear().
 double fromLinear(double l) {
   return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
 }
@@ -50,7 +52,7 @@ Rgb fromOklab(const Vector3d& lab) {
   return color;
 }
 
-// Piecewise linear in Oklab; `where` in [0, 1].
+/// Interpolates the colours piecewise linearly in Oklab; `where` is 0 at the first colour and 1 at the last.
 Rgb interpolate(const std::vector<Rgb>& colors, double where) {
   const double scaled = where * static_cast<double>(colors.size() - 1);
   const std::size_t first = std::min(static_cast<std::size_t>(scaled), colors.size() - 2);

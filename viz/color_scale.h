@@ -1,8 +1,9 @@
-// Colours of a value that has a limit: pale to blue up to the limit, then at once orange to dark red.
+// A colour scale for a value that has a limit: pale to dark blue up to the limit, orange to dark red above it.
 //
-// The change of hue at the limit is one that colour-blind eyes see (blue against orange), and lightness falls all along
-// the scale, with a step at the limit, so that a print in grey reads the same.  Colours between the given ones are
-// interpolated in Oklab (Ottosson 2020, "A perceptual color space for image processing"), where equal steps look equal.
+// Colour-blind people can tell blue from orange, so they see the change of hue at the limit.  Lightness decreases along
+// the whole scale and jumps at the limit, so the scale can also be read in a grey print.  Colours between the given
+// ones are interpolated in Oklab (Ottosson 2020, "A perceptual color space for image processing"), where steps of equal
+// length look equally large.
 #pragma once
 
 #include <array>
@@ -14,7 +15,8 @@ using Rgb = std::array<std::uint8_t, 3>;  // sRGB
 
 class ColorScale {
  public:
-  /// low <= limit <= high, low < high.  A limit at one of the ends leaves one half of the scale.
+  /// Requires low <= limit <= high and low < high.  If the limit equals `low` or `high`, only one half of the scale is
+  /// used.
   ColorScale(double low, double high, double limit) : low_(low), high_(high), limit_(limit) {}
 
   double low() const { return low_; }
@@ -22,14 +24,14 @@ class ColorScale {
   double limit() const { return limit_; }
   bool isOver(double value) const { return value > limit_; }
 
-  /// Colour of a value; beyond the ends as at the ends, NaN mid grey.
+  /// Returns the colour of a value.  Values beyond an end get the colour of that end, NaN gets a medium grey.
   Rgb color(double value) const;
 
  private:
   double low_, high_, limit_;
 };
 
-/// Lightness of a colour in Oklab: 0 black, 1 white.
+/// Returns the lightness of a colour in Oklab: 0 is black, 1 is white.
 double lightness(const Rgb& color);
 
 }  // namespace ease

@@ -21,7 +21,7 @@ bool has(const char* extensions, std::string_view wanted) {
   throw ComputationError(fmt::format("no OpenGL without a display: {} (EGL error {:#x})", what, error));
 }
 
-// The software rasteriser's own device, if EGL lists one.
+/// Returns the display of the software rasteriser, or EGL_NO_DISPLAY if EGL does not list it as a device.
 EGLDisplay softwareDisplay(const char* client_extensions) {
   if (!has(client_extensions, "EGL_EXT_platform_device") || !has(client_extensions, "EGL_EXT_device_enumeration")) {
     return EGL_NO_DISPLAY;
@@ -74,7 +74,8 @@ OffscreenContext::OffscreenContext() {
   fail("no context of OpenGL 3.2", error);
 }
 
-// The display stays: EGL keeps one for the whole process, and Mesa's driver loses memory whenever it is unloaded.
+// The display is not terminated: EGL keeps one for the whole process, and Mesa's driver leaks memory each time it is
+// unloaded.
 OffscreenContext::~OffscreenContext() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);

@@ -1,17 +1,17 @@
 // An OpenGL context without a display or a window, for rendering to memory.
 //
-// Through EGL, on a software rasteriser where there is one: it needs no permission on a device, and the same picture
-// comes out on every machine.
+// The context is created through EGL.  A software rasteriser is preferred to the graphics card, because it needs no
+// permission to use a device and draws the same picture on every machine.
 #pragma once
 
 #include <EGL/egl.h>
 
 namespace ease {
 
-/// Bound to the calling thread from construction to destruction.
+/// An OpenGL context that is current in the calling thread from construction to destruction.
 class OffscreenContext {
  public:
-  /// Throws ComputationError with the reason if no context can be had.
+  /// Creates the context.  Throws ComputationError with the reason if that is not possible.
   OffscreenContext();
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;

@@ -63,7 +63,8 @@ void Overlay::boxes(const std::vector<Box>& boxes, const std::vector<Rgb>& color
 
 namespace {
 
-// 1, 2 or 5 times a power of ten, so that at most `intervals` of them fit.
+/// Returns the distance of the scale's ticks: 1, 2 or 5 times a power of ten, large enough that `range` has at most
+/// `intervals` of them.
 double tickStep(double range, int intervals) {
   const double least = range / intervals;
   const double power = std::pow(10.0, std::floor(std::log10(least)));

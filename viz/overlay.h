@@ -1,4 +1,4 @@
-// Text and plain boxes over a picture, placed in pixels from its lower left corner.
+// Text and plain boxes drawn over a picture.  Positions are in pixels from the picture's lower left corner.
 #pragma once
 
 #include <vtkRenderer.h>
@@ -25,13 +25,13 @@ struct TextStyle {
 
 class Overlay {
  public:
-  /// `scale`: pixels rendered for one of the picture's.
+  /// `scale`: rendered pixels per pixel of the final picture, in each direction.
   explicit Overlay(int scale);
 
-  /// Text whose baseline stands at (x, y).
+  /// Adds a text.  (x, y) is the left end or the centre of its baseline, as `align` says.
   void text(double x, double y, Align align, const std::string& words, const TextStyle& style);
 
-  /// Boxes side by side or anywhere, each of one colour.
+  /// Adds filled boxes; `colors` has one colour per box.
   void boxes(const std::vector<Box>& boxes, const std::vector<Rgb>& colors);
 
   vtkRenderer* renderer() const { return renderer_; }
@@ -41,7 +41,8 @@ class Overlay {
   vtkSmartPointer<vtkRenderer> renderer_;
 };
 
-/// A horizontal scale bar in `box`: the scale's colours, numbers below, `label` beneath them, and the limit above.
+/// Draws a horizontal scale bar: the scale's colours in `box`, the limit above it, and below it the numbers and then
+/// `label`.
 void drawScaleBar(Overlay& overlay, const ColorScale& scale, const std::string& label, const Box& box);
 
 }  // namespace ease

@@ -36,12 +36,12 @@ namespace {
 
 constexpr int kWidth = 1600, kHeight = 1000;       // pixels
 constexpr int kTitleBand = 84, kLegendBand = 124;  // pixels
-constexpr int kGutter = 8;                         // pixels, white on either side of a view
-constexpr int kSamples = 2;                        // rendered per pixel and direction, for smooth edges
-constexpr double kLevelStep = 3;                   // of 255: no eye sees it, and the file is a third smaller
-constexpr double kViewAngle = 16;                  // degrees, whole height
+constexpr int kGutter = 8;                         // pixels, white margin on the left and right of a view
+constexpr int kSamples = 2;                        // samples per pixel in each direction, to smooth edges
+constexpr double kLevelStep = 3;                   // of 255 levels; invisible, and files are a third smaller
+constexpr double kViewAngle = 16;                  // degrees, over the whole height
 
-// While it lives, VTK and its OpenGL loader print nothing on the terminal.
+/// Keeps VTK and its OpenGL loader from printing on the terminal during the lifetime of the object.
 class Quiet {
  public:
   Quiet() { vtkObject::GlobalWarningDisplayOff(); }
@@ -64,7 +64,7 @@ void checkViews(const std::vector<StretchView>& views, double low, double high) 
   }
 }
 
-// Triangles shaded smoothly; `colors`, one per triangle, or none.
+/// Makes an actor that draws a mesh with smooth shading.  `colors` has one colour per triangle, or is null.
 vtkSmartPointer<vtkActor> makeActor(const TriangleMesh& mesh, vtkUnsignedCharArray* colors) {
   const auto surface = toPolyData(mesh.positions, toCells(mesh.triangles));
   if (colors) surface->GetCellData()->SetScalars(colors);
@@ -96,7 +96,7 @@ vtkSmartPointer<vtkActor> bodyActor(const TriangleMesh& body) {
   return actor;
 }
 
-// Drawn in front of the garment that it lies on, hidden by what is further in front.
+/// Makes an actor that draws a line.  The garment that it lies on does not hide it, but what is in front of both does.
 vtkSmartPointer<vtkActor> lineActor(const ViewLine& line) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
@@ -121,7 +121,7 @@ vtkSmartPointer<vtkActor> lineActor(const ViewLine& line) {
 
 void addLights(vtkRenderer* renderer) {
   struct Lamp {
-    double x, y, z, intensity;  // towards the lamp, in the camera's frame
+    double x, y, z, intensity;  // direction towards the lamp in the camera's frame
   };
   renderer->AutomaticLightCreationOff();
   for (const Lamp& lamp : {Lamp{-0.6, 0.8, 1.0, 1.1}, Lamp{0.9, 0.1, 0.6, 0.35}}) {
@@ -133,7 +133,7 @@ void addLights(vtkRenderer* renderer) {
   }
 }
 
-// What a view must show: the garments' common box, m.
+/// The part of space that every view must show: the bounding box of all garments, m.
 struct Extent {
   Vec3 center, size;
 };
@@ -148,7 +148,8 @@ Extent garmentExtent(const std::vector<StretchView>& views) {
   return {(lower + upper) / 2, 1.12 * (upper - lower)};
 }
 
-// Looks along -z (front, the wearer faces +z) or +z, a little from above.
+/// Places the camera a little above the garment.  It looks along -z at the front, since the wearer faces +z, or along
+/// +z at the back.
 void placeCamera(vtkRenderer* renderer, const Extent& extent, const Box& box, bool from_behind) {
   const double half_height = std::max(extent.size.y(), extent.size.x() * box.height / box.width) / 2;
   const double distance = half_height / std::tan(kViewAngle / 2 * M_PI / 180) + extent.size.z() / 2;
@@ -176,7 +177,8 @@ void addScene(vtkRenderWindow* window, const StretchView& view, const ColorScale
   window->AddRenderer(renderer);
 }
 
-// Boxes of the front and the back within a panel: beside or above each other, whichever shows the garment larger.
+/// Divides a panel into the boxes of the front and the back view: side by side or one above the other, whichever shows
+/// the garment larger.
 std::pair<Box, Box> splitPanel(const Box& panel, const Extent& extent) {
   const auto zoom = [&](const Box& box) { return std::min(box.width / extent.size.x(), box.height / extent.size.y()); };
   const Box left = {panel.x, panel.y, panel.width / 2, panel.height};
@@ -216,7 +218,7 @@ void compose(vtkRenderWindow* window, Overlay& overlay, const std::vector<Stretc
   drawScaleBar(overlay, scale, label, {kWidth / 2.0 - 360, 68, 720, 20});
 }
 
-// The window's pixels, each the mean of the samples rendered for it.
+/// Returns the window's pixels, each of them the mean of the samples rendered for it.
 vtkSmartPointer<vtkImageData> averagedPixels(vtkRenderWindow* window) {
   vtkNew<vtkUnsignedCharArray> samples;
   window->GetPixelData(0, 0, kSamples * kWidth - 1, kSamples * kHeight - 1, 0, samples);

@@ -1,4 +1,4 @@
-// Our meshes as VTK's; for the sources of this folder only.
+// Conversion of triangle meshes to VTK's data structures; only for the source files of this folder.
 #pragma once
 
 #include <vtkCellArray.h>
@@ -9,10 +9,10 @@
 
 namespace ease {
 
-/// Triangles as VTK cells with 32-bit indices.
+/// Converts triangles to VTK cells with 32-bit indices.
 vtkSmartPointer<vtkCellArray> toCells(const Triangles& triangles);
 
-/// Points in single precision, and `cells`, shared and not copied.
+/// Makes a VTK mesh from points, rounded to single precision, and `cells`, which are shared and not copied.
 vtkSmartPointer<vtkPolyData> toPolyData(const Positions& positions, vtkCellArray* cells);
 
 }  // namespace ease

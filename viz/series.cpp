@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kLargestQueue = 4;  // frames; at 100,000 vertices 10 MB
+constexpr std::size_t kLargestQueue = 4;  // frames; 10 MB for a mesh of 100,000 vertices
 
 struct TimedFrame {
   double time;  // s
@@ -49,7 +49,8 @@ void removeFile(const fs::path& file) {
   if (error) fail("remove", file, error);
 }
 
-// NAME_, digits, .vtp or .vtp.part: what a series leaves, and nothing else that may lie there.
+/// Whether a file name is that of a frame, NAME_DIGITS.vtp, or of an incomplete frame.  Other files in the directory
+/// are not the series' and stay.
 bool isFrame(const std::string& file, const std::string& name) {
   const std::string start = name + "_";
   if (file.compare(0, start.size(), start) != 0) return false;
@@ -59,7 +60,7 @@ bool isFrame(const std::string& file, const std::string& name) {
   return extension == ".vtp" || extension == temporaryName(".vtp");
 }
 
-// All frames but those that `listed` names.
+/// Removes all frames except those named in `listed`, lines of a .pvd file.
 void removeFrames(const fs::path& directory, const std::string& name, const std::string& listed) {
   std::error_code error;
   std::vector<fs::path> frames_found;
@@ -88,13 +89,13 @@ struct Series::Data {
   std::string name;
   Triangles triangles;
 
-  std::mutex mutex;  // guards the four below
+  std::mutex mutex;  // guards the next four members
   std::condition_variable changed;
-  std::deque<TimedFrame> queue;  // its front is the frame under way
-  std::string failure;           // the first, or empty
+  std::deque<TimedFrame> queue;  // its front is the frame being written
+  std::string failure;           // message of the first error, or empty
   bool ended = false;
 
-  std::string listed;  // lines of the .pvd; the writing thread's own
+  std::string listed;  // lines of the .pvd; only the writing thread uses it
   int frames = 0;
   std::thread writer;
 
@@ -106,7 +107,7 @@ struct Series::Data {
   void writeFrames();
 };
 
-// Takes over the lines of the list up to that time, and cuts the list after them.
+/// Reads the existing list up to `time_s` and rewrites it without the later frames.
 void Series::Data::keepUntil(double time_s) {
   std::ifstream in(list());
   for (std::string line; std::getline(in, line);) {
@@ -128,7 +129,8 @@ void Series::Data::writeList() const {
                                      listed));
 }
 
-// The list goes first: at no moment does it name a frame that is gone.
+/// Removes the files of the earlier series that are not kept.  The list is removed before the frames, so that it never
+/// names a frame that does not exist.
 void Series::Data::removeEarlier() const {
   if (frames == 0) removeFile(list());
   removeFile(temporaryName(list()));
@@ -144,13 +146,14 @@ void Series::Data::writeFrame(const TimedFrame& next) {
     writeList();
   } catch (const ComputationError&) {
     listed.resize(before);
-    removeFile(directory / file);  // nothing would name it
+    removeFile(directory / file);  // no list would name it
     throw;
   }
   ++frames;
 }
 
-// The writing thread.  After a failure it only empties the queue, so that nobody waits for ever.
+/// The loop of the writing thread.  After a failure it only empties the queue, so that write() and finish() do not wait
+/// for ever.
 void Series::Data::writeFrames() {
   std::unique_lock lock(mutex);
   while (true) {

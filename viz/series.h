@@ -1,7 +1,7 @@
 // Time series of a mesh for ParaView: compressed binary .vtp frames and a .pvd that lists them with their times.
 //
-// Frames are written by a thread of their own.  Every file appears under its final name only when it is whole, and the
-// .pvd is renewed after every frame, so that a run cut short leaves a series that opens.
+// A separate thread writes the frames.  Every file gets its final name only when it is complete, and the .pvd is
+// rewritten after every frame, so the series of an interrupted run can be opened.
 #pragma once
 
 #include <filesystem>
@@ -13,23 +13,25 @@
 
 namespace ease {
 
-/// Removes the list and the frames of a series in `directory`, also those not whole.  Throws ComputationError.
+/// Removes the .pvd file and the frames of a series in `directory`, incomplete files included.  Throws
+/// ComputationError.
 void removeSeries(const std::filesystem::path& directory, const std::string& name);
 
 class Series {
  public:
-  /// Frames go to DIR/NAME/NAME_000000.vtp, ..., their list to DIR/NAME.pvd; NAME is letters, digits, '-' and '_'.
-  /// Makes the directories and removes an earlier series of that name, or goes on with it: its frames up to
-  /// `keep_until` (s) stay.  Throws ComputationError naming what could not be made or removed.
+  /// Starts a series: frames go to DIR/NAME/NAME_000000.vtp, ..., their list to DIR/NAME.pvd.  NAME may have letters,
+  /// digits, '-' and '_'.  Creates the directories.  Frames of an earlier series of this name are kept up to the time
+  /// `keep_until` (s) and removed after it; with the default, all are removed.  Throws ComputationError naming what
+  /// could not be created or removed.
   Series(const std::filesystem::path& directory, const std::string& name, const Triangles& triangles,
          double keep_until = -1.0);
-  ~Series();  // finishes; errors are lost: call finish() to see them
+  ~Series();  // writes the frames that are queued; call finish() before to learn about errors
 
-  /// Queues a frame (waits while several are under way).  Throws ComputationError, naming the file and the reason, if
-  /// an earlier frame could not be written; the frames after that one are not written.
+  /// Queues a frame; waits while the queue is full.  Throws ComputationError, naming the file and the reason, if an
+  /// earlier frame could not be written; no frame after that one is written.
   void write(double time_s, Frame frame);
 
-  /// Waits until all frames are on disk; throws as write().
+  /// Waits until all frames are on disk; throws like write().
   void finish();
 
  private:

@@ -45,7 +45,7 @@ void addArray(vtkDataSetAttributes* attributes, const NamedArray& array) {
   attributes->AddArray(values);
 }
 
-// Takes the place of VTK's own message on the terminal.
+/// Records VTK's first error message, which VTK would otherwise print on the terminal.
 class FirstError : public vtkCommand {
  public:
   static FirstError* New() { return new FirstError; }
@@ -65,7 +65,8 @@ void writeVtp(const std::filesystem::path& file, const Triangles& triangles, con
   for (const NamedArray& array : frame.vertex_arrays) addArray(mesh->GetPointData(), array);
   for (const NamedArray& array : frame.triangle_arrays) addArray(mesh->GetCellData(), array);
 
-  // VTK writes to memory and we to the disk: its file output calls a truncated file a success.
+  // VTK encodes the mesh in memory and writeWholeFile() writes it, because VTK's own file output does not report a
+  // truncated file as an error.
   vtkNew<FirstError> error;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->AddObserver(vtkCommand::ErrorEvent, error);

@@ -4,8 +4,9 @@
 //   vertex arrays    one tuple per vertex
 //   triangle arrays  one tuple per triangle
 //
-// LZ4 compression: an eighth of zlib's time.  Data inline as base64, a third larger than raw data appended, because
-// ParaView 5.11 cannot read any appended data since expat 2.6 and its backported fixes (VTK issue 19258).
+// The data is compressed with LZ4, which takes an eighth of zlib's time, and stored inline as base64.  Appended raw
+// data would be a quarter smaller, but ParaView 5.11 cannot read it with expat 2.6 or with an older expat that has the
+// fixes of 2.6 (VTK issue 19258).
 #pragma once
 
 #include <filesystem>
@@ -16,7 +17,7 @@
 
 namespace ease {
 
-/// A named array with one tuple per vertex or per triangle; its name ends in its unit where it has one ("gap_m").
+/// A named array with one tuple per vertex or per triangle.  The name of an array with a unit ends in it ("gap_m").
 struct NamedArray {
   std::string name;
   int components;             // per tuple
@@ -29,8 +30,9 @@ struct Frame {
   std::vector<NamedArray> triangle_arrays;
 };
 
-/// Writes one mesh with its arrays, to a temporary name first, then renamed.  Throws ComputationError naming the file
-/// and the reason: the file system's, an index without a vertex, or an array whose length does not fit the mesh.
+/// Writes one mesh with its arrays under a temporary name and then renames the file.  Throws ComputationError naming
+/// the file and the reason: an error of the file system, a triangle with an invalid vertex index, or an array whose
+/// length does not match the mesh.
 void writeVtp(const std::filesystem::path& file, const Triangles& triangles, const Frame& frame);
 
 }  // namespace ease

@@ -1,4 +1,4 @@
-// The program itself, as a user starts it, and a small scene for it.
+// Runs the program as a user would, and writes a small scene for it.
 #pragma once
 
 #include <sys/wait.h>
@@ -24,7 +24,7 @@ inline std::string contentOf(const std::filesystem::path& file) {
   return content.str();
 }
 
-/// Runs `ease ARGUMENTS` in `directory`, started by `launcher` (a command in front of it).
+/// Runs `ease ARGUMENTS` in `directory`.  `launcher` is a command that is put before it and starts it.
 inline Outcome runEase(const TemporaryDirectory& directory, const std::string& arguments,
                        const std::string& launcher = "") {
   const std::string in = "cd '" + directory.path.string() + "' && ";
@@ -46,7 +46,7 @@ inline std::filesystem::path writeHangingScene(const TemporaryDirectory& directo
                                           "}\n[garment]\nmesh = 'cloth.obj'\n[[garment.pin]]\nvertices = [6, 7, 8]\n");
 }
 
-/// A square of cloth, 2 x 2 x 2 triangles, that hangs by its upper edge for `steps` time steps.
+/// Writes a scene in which a square of cloth, 2 x 2 x 2 triangles, hangs by its upper edge for `steps` time steps.
 inline std::filesystem::path writeHangingCloth(const TemporaryDirectory& directory, int steps) {
   std::string obj;
   for (const char* y : {"1.0", "1.1", "1.2"})

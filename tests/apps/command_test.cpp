@@ -1,4 +1,4 @@
-// The program itself, as a user starts it; for runs that go on: resume_test.
+// Tests of the program as a user starts it.  Resumed runs are tested in resume_test.cpp.
 #include "tests/apps/command.h"
 
 using namespace ease;
@@ -149,8 +149,8 @@ TEST_CASE("every method runs the whole job, and one thread and two write the sam
 }
 
 TEST_CASE("a scene beyond a method ends with exit code 2 and one line that says why") {
-  // Nothing holds the cloth, and it is so light for its stiffness that round-off swallows its inertia.  The projective
-  // methods know its fall from momentum alone; Newton's system is singular.
+  // Nothing holds the cloth, and it is so light for its stiffness that its inertia is lost in round-off.  Projective
+  // methods obtain its fall from the conservation of momentum; Newton's system is singular.
   const std::string method = GENERATE("auto", "bw1", "newton", "pd", "pd-lbfgs");
   const TemporaryDirectory directory;
   writeHangingCloth(directory, 1);
@@ -218,7 +218,7 @@ TEST_CASE("garment writes a made garment with its loops, seams and pieces") {
 
   REQUIRE(runEase(directory, "garment tube.toml -o made").code == 0);
   CHECK(std::filesystem::exists(made / "garment.obj"));
-  CHECK_FALSE(std::filesystem::exists(made / "pieces.obj"));  // of the garment before
+  CHECK_FALSE(std::filesystem::exists(made / "pieces.obj"));  // pieces of the earlier garment
   writeHangingCloth(directory, 1);
   REQUIRE(runEase(directory, "run hang.toml -o made").code == 0);
   for (const char* file :

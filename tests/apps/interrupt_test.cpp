@@ -1,4 +1,4 @@
-// Runs that are stopped, killed or have no room left: what is on disk then is whole, as far as it goes.
+// Tests that the files on disk are complete after a run was interrupted, was killed or filled the disk.
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kRun = {"run", "sheet.toml", "-o", "there", "--threads", "1"};
 
-/// A hanging sheet of 21 x 21 vertices that writes every step.
+/// Writes the scene of a hanging sheet of 21 x 21 vertices, with a frame for every step.
 void writeScene(const TemporaryDirectory& directory, long steps, const char* more = "") {
   writeObj(directory.path / "sheet.obj", makeSheet(20, 20, 1.0, 1.0));
   directory.write("sheet.toml", "solver = {steps = " + std::to_string(steps) +
@@ -40,7 +40,8 @@ bool hasTemporary(const fs::path& directory) {
   return false;
 }
 
-/// Half a megabyte for this process and its children alone; false where that is not allowed.
+/// Mounts a file system of half a megabyte that only this process and its children see.  Returns false if that is not
+/// permitted.
 bool mountSmall(const fs::path& directory) {
   const uid_t user = ::getuid();
   const gid_t group = ::getgid();
@@ -117,7 +118,7 @@ TEST_CASE("a run that is killed before its tenth frame goes on to what an unbrok
   run.waitUntil([&] { return fs::exists(directory.path / "there/checkpoint.bin"); });
   run.stop(SIGKILL);
   const int steps =
-      readCheckpoint(directory.path / "there/checkpoint.bin").run.done.all + 20;  // of a slow killer, later
+      readCheckpoint(directory.path / "there/checkpoint.bin").run.done.all + 20;  // the kill may come late
   writeScene(directory, steps, adaption);
   REQUIRE(runEase(directory, "run sheet.toml -o whole").code == 0);
   REQUIRE(runEase(directory, "run sheet.toml --resume there").code == 0);
@@ -138,7 +139,7 @@ TEST_CASE("a run that goes on keeps the report and the picture before it until i
     writeScene(directory, 1000000);
     const size_t before = framesIn(there);
     Started run(directory, {"run", "sheet.toml", "--resume", "there"});
-    // One file: the list and its frames change between two looks at them.
+    // Only one file is looked at, since the list and its frames may change between two looks.
     const std::string number = std::to_string(before + 10);
     const fs::path eleventh = there / "garment" / ("garment_" + std::string(6 - number.size(), '0') + number + ".vtp");
     run.waitUntil([&] { return fs::exists(eleventh); });
@@ -216,7 +217,7 @@ TEST_CASE("a full disk ends a run in one line, and its series open up to the las
   const fs::path there = directory.path / "there";
   writeScene(directory, 1000);
   fs::create_directory(there);
-  const pid_t child = ::fork();  // its own mounts, gone with it
+  const pid_t child = ::fork();  // the child's mounts end with it
   REQUIRE(child >= 0);
   if (child == 0) {
     if (!mountSmall(there)) ::_exit(77);
@@ -238,5 +239,5 @@ TEST_CASE("a full disk ends a run in one line, and its series open up to the las
   CHECK(WEXITSTATUS(status) == 2);
   CHECK_THAT(err, Contains("ease: error: ") && Contains("No space left on device"));
   CHECK(contentOf(directory.path / "fault") == "");
-  CHECK(std::stoi(contentOf(directory.path / "frames")) > 1);  // as many as fit
+  CHECK(std::stoi(contentOf(directory.path / "frames")) > 1);  // more than one frame fits
 }

@@ -1,4 +1,4 @@
-// Names of the arrays in written files: what the tables, the README and the files themselves say must agree.
+// Tests that the tables of output arrays, the README and the written files agree about the names of the arrays.
 #include "apps/output_arrays.h"
 
 #include "tests/apps/command.h"
@@ -19,8 +19,8 @@ namespace {
 
 using Arrays = std::vector<WrittenArray>;
 
-// The names by which people and their ParaView states know the arrays.  Renaming one breaks both: say so in
-// CHANGELOG.md.
+// The names of the arrays that users and their ParaView state files rely on.  A change of a name breaks these files, so
+// it must be mentioned in CHANGELOG.md.
 const Arrays kGarmentInTheAir = {{"velocity_m_s", "vertex", 3},     {"pinned", "vertex", 1},
                                  {"sigma_1", "triangle", 1},        {"sigma_2", "triangle", 1},
                                  {"stretch_warp", "triangle", 1},   {"stretch_weft", "triangle", 1},
@@ -57,7 +57,7 @@ void appendReadmeLines(const std::vector<OutputArray<Source>>& table, std::strin
              row.text + " |\n";
 }
 
-/// The rows of a table in the README whose first line begins with `heading`.
+/// Returns the rows of the README's table whose first line begins with `heading`.
 std::string readmeRows(const std::string& heading) {
   const std::string readme = contentOf(EASE_README);
   const size_t table = readme.find("\n" + heading);
@@ -68,7 +68,7 @@ std::string readmeRows(const std::string& heading) {
   return readme.substr(rows, end + 1 - rows);
 }
 
-/// The arrays that all frames of a series have.
+/// Returns the arrays of a series, and checks that all its frames have them.
 Arrays arraysOfSeries(const std::filesystem::path& pvd) {
   const auto frames = framesListed(pvd);
   REQUIRE(frames.size() > 1);

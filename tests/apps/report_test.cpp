@@ -7,7 +7,7 @@ using Catch::Contains;
 
 namespace {
 
-/// 360 steps in 6 s, replays for 25 s; 1 mm deep while adapting, 3 mm afterwards.
+/// Returns a report of 360 steps in 6 s with replays of 25 s; the penetration is 1 mm while adapting, 3 mm afterwards.
 Report verifiedReport() {
   Report report;
   report.limit = 0.1;

@@ -57,7 +57,7 @@ vtkSmartPointer<vtkPolyData> readFrame(const fs::path& file) {
   return &mesh;
 }
 
-/// Frames of a series, named or not, beside its list.
+/// Checks that the list of a series names every frame in its folder; with `killed`, one frame may be missing in it.
 void checkSeries(const fs::path& pvd, bool killed) {
   const std::vector<fs::path> listed = framesListed(pvd);
   long there = 0;

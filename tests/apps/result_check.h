@@ -1,4 +1,4 @@
-// Whether what a command left in its directory is whole: every file opens, by VTK's own readers where ParaView would.
+// Checks that the files of a command's result directory are complete.  Files for ParaView are read with VTK's readers.
 #pragma once
 
 #include <compare>
@@ -8,10 +8,11 @@
 
 namespace ease {
 
-/// The files that a series' list names, in its order.  Throws std::runtime_error where the list is not whole.
+/// Returns the files that the list of a series names, in its order.  Throws std::runtime_error if the list is
+/// incomplete.
 std::vector<std::filesystem::path> framesListed(const std::filesystem::path& pvd);
 
-/// What a .vtp file says about one of its arrays.
+/// The description of one array in a .vtp file.
 struct WrittenArray {
   std::string name;
   std::string element;  // "vertex" or "triangle"
@@ -19,12 +20,12 @@ struct WrittenArray {
   auto operator<=>(const WrittenArray&) const = default;
 };
 
-/// The arrays of a .vtp file, first those of vertices.  Throws std::runtime_error where VTK cannot read the file.
+/// Returns the arrays of a .vtp file, those of vertices first.  Throws std::runtime_error if VTK cannot read the file.
 std::vector<WrittenArray> arraysIn(const std::filesystem::path& vtp);
 
-/// The first fault of a file below `directory`, empty if there is none: cut short or damaged, temporary, a frame that a
-/// list names and that is not there, or is there and not named.  `killed`: temporary files and one frame of each series
-/// that its list does not name are no fault.
+/// Returns the first fault found in the files below `directory`, or an empty string.  Faults are a truncated or damaged
+/// file, a temporary file, a missing frame that a list names, and a frame that no list names.  `killed`: the program
+/// was killed, so temporary files and one unnamed frame per series are no faults.
 std::string faultIn(const std::filesystem::path& directory, bool killed = false);
 
 }  // namespace ease

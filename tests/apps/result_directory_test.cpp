@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kOurs = R"({"quality": {}, "loops": []})";
 
-/// While it lives, no file can have a byte: a disk that is full.
+/// Imitates a full disk during the lifetime of the object: no byte can be written to any file.
 class FullDisk {
  public:
   FullDisk() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -70,10 +70,10 @@ TEST_CASE("the files of an earlier garment go, those of the user's own and those
   const auto exists = [&](const char* name) { return std::filesystem::exists(directory.path / name); };
   for (const char* name : {"mine.obj", "body.obj", "pieces.obj"}) directory.write(name, "");
   made.removeOldGarment(scene);
-  CHECK(exists("body.obj"));  // there is no garment.json: not Ease's
+  CHECK(exists("body.obj"));  // without garment.json it is not Ease's
   directory.write("garment.json", "{\"my\": \"own\"}");
   made.removeOldGarment(scene);
-  CHECK(exists("body.obj"));  // nor is this one
+  CHECK(exists("body.obj"));  // this garment.json is not Ease's either
   directory.write("garment.json", kOurs);
   made.removeOldGarment(scene);
   CHECK(exists("mine.obj"));

@@ -1,4 +1,4 @@
-// Runs that go on, as a user starts them.
+// Tests of resumed runs, started as a user would.
 #include "apps/resume.h"
 
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ TEST_CASE("a run that is stopped and goes on gives what an unbroken one gives, t
                         method + "'\n");
   };
   write("whole.toml", "['t', 'a', 't']");
-  write("half.toml", "['t', 'a']");  // as if stopped there
+  write("half.toml", "['t', 'a']");  // as if the run had been stopped there
   REQUIRE(runEase(directory, "run whole.toml -o whole").code == 0);
   REQUIRE(runEase(directory, "run half.toml -o half").code == 0);
   const Outcome outcome = runEase(directory, "run whole.toml --resume half");
@@ -64,7 +64,7 @@ TEST_CASE("a run that goes on keeps to the way of the body, which may be longer 
 
   REQUIRE(resume("['t', 'a', 't', 'up']", "settle = 4\n[collision]\noffset = 0.008\n", "--resume done").code == 0);
   const auto report = nlohmann::json::parse(contentOf(directory.path / "done/report.json"));
-  CHECK(report["vertices"] == made["vertices"]);  // the T-shirt is that of the offset before
+  CHECK(report["vertices"] == made["vertices"]);  // the T-shirt is still made for the earlier offset
   CHECK(report["resumed_from_step"] == 18);
   CHECK(report["steps"] == 12);
   CHECK(report["settle_steps"] == 4);
@@ -72,7 +72,8 @@ TEST_CASE("a run that goes on keeps to the way of the body, which may be longer 
   REQUIRE(poses.size() == 4);
   for (const int not_reached : {0, 1, 2}) CHECK(poses[not_reached]["max"].is_null());
   CHECK(poses[3]["max"].get<double>() > 0.5);
-  // A frame every two steps: to 'a' and back until the 8th, settled at the 9th, then to 'up'.
+  // A frame is written every two steps: the body moves to 'a' and back until frame 8, is held until 9, then moves to
+  // 'up'.
   CHECK_THAT(contentOf(directory.path / "done/body.pvd"), Contains("body_000015.vtp") && !Contains("body_000016.vtp"));
   const auto moved = [&](const char* from, const char* to) {
     const auto frame = [&](const char* k) {
@@ -226,7 +227,7 @@ TEST_CASE("pins that a run got while going on stay where they were put when it g
     const Positions garment = restored(now.run.cloth.positions, now.numbering.vertices);
     if (held.rows() > 0) CHECK(garment.row(0) == held.row(0));
     held = garment;
-    CHECK((held.row(0) - now.start.mesh.positions.row(0)).norm() > 1e-5);  // the cloth had fallen when it was pinned
+    CHECK((held.row(0) - now.start.mesh.positions.row(0)).norm() > 1e-5);  // the cloth had fallen before it was pinned
   }
 }
 

@@ -21,11 +21,13 @@ std::string objText(const TriangleMesh& mesh) {
   return out.str();
 }
 
-//      6----7     four walls around the y axis, from `low` to `high`; with `closed`, floor and lid too
-//     /|   /|
-//    4----5 |
-//    | 2--|-3
-//    0----1
+/// Makes four walls around the y axis from `low` to `high` and, if `closed`, a floor and a lid:
+///
+///      6----7
+///     /|   /|
+///    4----5 |
+///    | 2--|-3
+///    0----1
 TriangleMesh box(double half_width, double low, double high, bool closed) {
   TriangleMesh mesh;
   mesh.positions.resize(8, 3);
@@ -42,7 +44,7 @@ TriangleMesh box(double half_width, double low, double high, bool closed) {
 const TriangleMesh kBody = box(0.2, 0.0, 1.7, true);
 const TriangleMesh kGarment = box(0.3, 0.8, 1.4, false);
 
-/// A scene of two poses and a tube around them, to be changed by the tests.
+/// The files of a scene with two poses and a tube around them.  Tests change them.
 struct Files {
   Files() {
     write("first.obj", kBody);

@@ -9,7 +9,7 @@ using namespace ease;
 
 namespace {
 
-/// A body that is lifted by `rise` (m) from its first pose to its second.
+/// Makes a scene whose body is lifted by `rise` (m) from its first pose to its second.
 std::pair<Scene, SceneInput> lifted(double rise) {
   Scene scene;
   scene.file = "lifted.toml";

@@ -1,4 +1,4 @@
-// Scenes as text, and what is said of wrong ones.
+// Reads scenes from strings, and returns the error messages of wrong ones.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ inline Scene sceneOf(const std::string& toml) {
   return readScene(directory.write("scene.toml", toml));
 }
 
-/// The error for a scene, from its file's name on: "scene.toml:LINE: ...".
+/// Returns the error message for a scene, beginning with the name of its file: "scene.toml:LINE: ...".
 inline std::string errorOf(const std::string& toml) {
   const std::string message = messageOf<InputError>([&] { sceneOf(toml); });
   CHECK(message.find('\n') == std::string::npos);
@@ -22,7 +22,7 @@ inline std::string errorOf(const std::string& toml) {
   return name == std::string::npos ? message : message.substr(name);
 }
 
-// Smallest scenes, to which the tests add lines; one line each, so that what is added begins on the second.
+// Smallest valid scenes.  Tests append lines to them.
 inline const std::string kBody = "body = {poses = ['t.ply', 'a.ply']}\n[garment]\nmesh = 's.obj'\n";
 inline const std::string kNoBody = "solver = {steps = 10}\n[garment]\nmesh = 's.obj'\n";
 

@@ -13,7 +13,7 @@ namespace {
 
 const std::string kBody = "body = {builtin = 'mannequin', poses = ['t']}\n";
 
-// A tube around the mannequin's trunk; tests add lines.
+// Scene of a tube around the mannequin's trunk.  Tests append lines to it.
 const std::string kTube =
     kBody +
     "[garment]\nresolution = 400\n[garment.region]\nseed = [0, 1, 0.2]\n"

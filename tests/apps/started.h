@@ -1,4 +1,4 @@
-// The program started and left to itself, to be stopped at a moment of the test's choice.
+// Runs the program in the background, so that a test can stop it at any moment.
 #pragma once
 
 #include <fcntl.h>
@@ -20,14 +20,15 @@ namespace ease {
 
 class Started {
  public:
-  /// `ease ARGUMENTS` in `directory`, after `prepare` in its process; what it prints is in out and err there.
+  /// Starts `ease ARGUMENTS` in `directory`.  The new process calls `prepare` first.  Output goes to the files `out`
+  /// and `err` in the directory.
   Started(const TemporaryDirectory& directory, std::vector<std::string> arguments,
           const std::function<void()>& prepare = nullptr) {
     arguments.insert(arguments.begin(), "ease");
     std::vector<char*> pointers;
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
-    sigset_t all, before;  // none reaches the child while it has the handlers of this process
+    sigset_t all, before;  // no signal may reach the child while it has this process' handlers
     ::sigfillset(&all);
     ::sigprocmask(SIG_BLOCK, &all, &before);
     process_ = ::fork();
@@ -49,7 +50,7 @@ class Started {
   Started(const Started&) = delete;
   Started& operator=(const Started&) = delete;
 
-  /// Waits until `condition`, or the end of the program.
+  /// Waits until `condition()` is true or the program has ended.
   template <class Condition>
   void waitUntil(const Condition& condition) {
     while (!ended_ && !condition()) {
@@ -58,7 +59,7 @@ class Started {
     }
   }
 
-  /// Sends the signal, if the program has not ended by itself, and waits for its end.
+  /// Sends the signal, unless the program has already ended, and waits for its end.
   void stop(int signal) {
     if (!ended_) ::kill(process_, signal);
     wait();

@@ -1,4 +1,4 @@
-// A directory for the files of one test, gone when the test ends.
+// A directory for the files of one test, which is removed when the test ends.
 #pragma once
 
 #include <unistd.h>
@@ -29,7 +29,7 @@ class TemporaryDirectory {
   std::filesystem::path path;
 };
 
-/// What `action` throws as an `Error`; "nothing was thrown" if nothing is.
+/// Returns the message of the `Error` that `action` throws, or "nothing was thrown".
 template <class Error, class Action>
 std::string messageOf(const Action& action) {
   try {

@@ -13,10 +13,10 @@ TEST_CASE("a list of words reads as English") {
 
 TEST_CASE("a slip of the keyboard finds the word that was meant") {
   const std::vector<std::string> words = {"density", "stretch", "shear", "steps_per_pose"};
-  CHECK(nearestWord("densty", words) == "density");    // a letter less
-  CHECK(nearestWord("strretch", words) == "stretch");  // one more
-  CHECK(nearestWord("sheer", words) == "shear");       // another
-  CHECK(nearestWord("shera", words) == "shear");       // two swapped
+  CHECK(nearestWord("densty", words) == "density");    // a letter is missing
+  CHECK(nearestWord("strretch", words) == "stretch");  // one too many
+  CHECK(nearestWord("sheer", words) == "shear");       // a wrong one
+  CHECK(nearestWord("shera", words) == "shear");       // two are swapped
   CHECK(nearestWord("steps_per_step", words) == "steps_per_pose");
 }
 
