@@ -1,6 +1,7 @@
-// What the elements of the membrane share (stretch.h, shear.h, isotropic.h).
+// Types and helpers that the membrane's elements share (stretch.h, shear.h, isotropic.h).
 //
-// Their formulas are written once for Real = double, one triangle, or Real = Lanes, eight triangles side by side.
+// An element's formulas are written once, as templates: Real = double computes one triangle, Real = Lanes computes
+// eight triangles side by side.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,17 +25,18 @@ inline Lanes larger(const Lanes& a, double b) {
 /// Whether an element's Hessian keeps its negative eigenvalues (exact) or has them set to zero (projected).
 enum class HessianKind { exact, projected };
 
+/// The eigenvalue as the Hessian of this kind uses it: unchanged, or zero if it is negative and `kind` is projected.
 inline double keptEigenvalue(double eigenvalue, HessianKind kind) {
   return kind == HessianKind::projected && eigenvalue < 0.0 ? 0.0 : eigenvalue;
 }
 
-/// A vector in space: a column of a deformation gradient, or of its stress.
+/// A vector in space: one column of a deformation gradient or of a stress.
 template <class Real>
 struct Column {
   Real x, y, z;
 };
 
-/// Deformation gradient [f_u f_v], 3x2, or what belongs to its entries.
+/// A 3x2 matrix by columns: a deformation gradient F = [f_u f_v], or a stress, the derivative with respect to F.
 template <class Real>
 struct Deformation {
   Column<Real> u, v;
@@ -51,7 +53,8 @@ Real length(const Column<Real>& a) {
   return sqrt(dot(a, a));
 }
 
-/// a += s b.  Left to itself, the compiler calls it, with eight lanes in memory: 4 % of a time step.
+/// a += s b. Inlining is forced: otherwise the compiler makes calls that pass eight lanes through memory, which costs
+/// 4 % of a time step.
 template <class Real>
 [[gnu::always_inline]] inline void addScaled(Column<Real>& a, const Real& s, const Column<Real>& b) {
   a.x += s * b.x;
@@ -59,24 +62,26 @@ template <class Real>
   a.z += s * b.z;
 }
 
-/// A spring: its stiffness and the value of its condition at rest.
+/// A spring with energy k/2 (C - c)^2 per rest area, where C is a condition such as a length (stretch.h, shear.h).
 struct Spring {
-  double k;
-  double c;
+  double k;  // stiffness, N/m
+  double c;  // value of the condition at rest, dimensionless
 };
 
-/// Elastic spring (k, c) with condition-rate damping over a step: k_d/(2h) (C - C_start)^2 added, up to a constant
-/// (Baraff and Witkin 1998, section 4.5, as a potential).  Forceless on rigid motion, since C is.
+/// Adds damping k_d/(2h) (C - C_start)^2 to an elastic spring. The sum of the two is again a spring, up to a constant,
+/// and is returned. (Baraff and Witkin 1998, section 4.5, written as a potential.) `damping_over_h`: k_d/h, N/m.
+/// A rigid motion leaves C unchanged, so it is not damped.
 inline Spring damped(const Spring& spring, double damping_over_h, double condition_at_start) {
   const double k = spring.k + damping_over_h;
   return {k, k > 0.0 ? (spring.k * spring.c + damping_over_h * condition_at_start) / k : 0.0};
 }
 
-/// Blocks of the second derivative by (f_u, f_v), each 3x3, N/m: uu, uv (row f_u, column f_v), vv.
+/// Second derivative of an energy with respect to (f_u, f_v) in 3x3 blocks, N/m. Block uv has rows of f_u and columns
+/// of f_v; block vu is its transpose and is not stored.
 struct FrameHessian {
   Mat3 uu = Mat3::Zero(), uv = Mat3::Zero(), vv = Mat3::Zero();
 
-  /// Adds `weight` times the square of a mode, 3x2.
+  /// Adds weight m mᵀ, where m is the 3x2 `mode` written as one vector of six entries.
   void addMode(double weight, const Mat32& mode) {
     uu += weight * mode.col(0) * mode.col(0).transpose();
     uv += weight * mode.col(0) * mode.col(1).transpose();

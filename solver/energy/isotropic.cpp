@@ -25,12 +25,12 @@ FrameHessian isotropicHessian(const Mat32& F, double mu, double lambda, HessianK
   const auto add = [&](double eigenvalue, const Mat32& mode) {
     hessian.addMode(keptEigenvalue(eigenvalue, kind), mode);
   };
-  add((p1 + p2) / (s1 + s2), (u2 * v1 - u1 * v2) * M_SQRT1_2);  // turning in the plane
-  add(2.0 * mu, (u2 * v1 + u1 * v2) * M_SQRT1_2);               // shearing: (p1 - p2)/(s1 - s2)
-  add(p1 / s1, n * v1);                                         // turning out of the plane
+  add((p1 + p2) / (s1 + s2), (u2 * v1 - u1 * v2) * M_SQRT1_2);  // rotation in the plane
+  add(2.0 * mu, (u2 * v1 + u1 * v2) * M_SQRT1_2);               // shear; 2 mu = (p1 - p2)/(s1 - s2)
+  add(p1 / s1, n * v1);                                         // rotation out of the plane, two modes
   add(p2 / s2, n * v2);
-  add(2.0 * (mu + lambda), (u1 * v1 + u2 * v2) * M_SQRT1_2);  // growing
-  add(2.0 * mu, (u1 * v1 - u2 * v2) * M_SQRT1_2);             // growing here and shrinking there
+  add(2.0 * (mu + lambda), (u1 * v1 + u2 * v2) * M_SQRT1_2);  // growth in both directions
+  add(2.0 * mu, (u1 * v1 - u2 * v2) * M_SQRT1_2);             // growth along u1, shrinking along u2
   return hessian;
 }
 

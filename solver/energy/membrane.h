@@ -1,12 +1,12 @@
-// The membrane of a cloth: energy, stress, Hessian and projective weight of its triangles, by the cloth's material.
+// Membrane of a cloth: energy, stress, Hessian and projective weights of its triangles for the cloth's material.
 //
 //   psi(F)   energy per rest area, N/m       F   deformation gradient, 3x2
 //
-// A material's membrane is a sum of elements (stretch.h, shear.h, isotropic.h).  They are put together here and nowhere
-// else: who uses MembraneEnergy does not know which elements there are.  A new element has a file of its own with these
-// three functions, and a line in each function below.
+// The energy is a sum of elements (stretch.h, shear.h, isotropic.h) that the material chooses. Only MembraneEnergy
+// knows which elements exist; code that uses it does not. A new element gets a file of its own and one line in each of
+// the functions add, hessian and projectiveWeights.
 //
-// The membrane of triangle t counts with weight s_t a_t: its rest area times its stiffness scale (cloth.h).
+// The user multiplies psi of triangle t by the weight s_t a_t: stiffness scale times rest area (cloth.h).
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@
 
 namespace ease {
 
-/// Values of the conditions at rest of eight triangles (stretch.h, shear.h), damping included.
+/// Rest values c of the conditions (stretch.h, shear.h) in eight triangles, shifted by damping.
 struct RestConditions {
   Lanes warp, weft, shear;
 };
@@ -27,13 +27,13 @@ class MembraneEnergy {
  public:
   explicit MembraneEnergy(const Cloth& cloth) : cloth_(cloth) {}
 
-  /// Takes the conditions whose rate is damped from the start of a time step of length h, s.
+  /// Starts a time step of length h, s: with damping, stores the conditions at the positions `start`.
   void begin(const Positions& start, double h);
 
-  /// Sets lane `lane` to triangle t.
+  /// Writes the rest conditions of triangle t into lane `lane` of `rest`.
   void setRestConditions(int t, int lane, RestConditions& rest) const;
 
-  /// psi of eight triangles, N/m; adds d psi / d F, N/m, to `stress`.
+  /// Returns psi of eight triangles, N/m, and adds d psi / d F, N/m, to `stress`.
   Lanes add(const Deformation<Lanes>& F, const RestConditions& rest, Deformation<Lanes>& stress) const {
     const Material& material = cloth_.material();
     Lanes psi = Lanes::Zero();
@@ -47,15 +47,16 @@ class MembraneEnergy {
     return psi;
   }
 
-  /// Second derivative of psi by F in triangle t, N/m.
+  /// Second derivative of psi with respect to F in triangle t, N/m.
   FrameHessian hessian(const Mat32& F, int t, HessianKind kind) const;
 
-  /// Weights of the constant matrix that projective dynamics has in place of the Hessian, along warp and weft, N/m:
-  /// exact for elements that are a squared distance to a set, a bound near the rest shape for the others.
+  /// Weights along warp and weft, N/m, of the constant matrix that projective dynamics uses in place of the Hessian.
+  /// They are exact for elements whose energy is a squared distance to a set, and an upper bound near the rest shape
+  /// for the others.
   Eigen::Vector2d projectiveWeights() const;
 
  private:
-  /// Stiffness of the springs with their damping, N/m: the same in all triangles.
+  /// Stiffness of the springs including damping, N/m. All triangles share it.
   struct Stiffness {
     double warp = 0.0, weft = 0.0, shear = 0.0;
   };
@@ -68,8 +69,8 @@ class MembraneEnergy {
   const Cloth& cloth_;
   Stiffness stiffness_;
   bool has_springs_ = false;
-  double damping_stretch_ = 0.0, damping_shear_ = 0.0;  // over h, N/m
-  std::vector<Eigen::Vector3d> start_conditions_;  // |f_u|, |f_v|, shear of each triangle; empty: nothing is damped
+  double damping_stretch_ = 0.0, damping_shear_ = 0.0;  // damping divided by h, N/m
+  std::vector<Eigen::Vector3d> start_conditions_;       // |f_u|, |f_v| and shear per triangle; empty without damping
 };
 
 }  // namespace ease

@@ -6,7 +6,7 @@ namespace ease {
 
 namespace {
 
-// The bias directions' lengths, and unit vectors along them (zero where the length is).
+/// Lengths of the bias directions d+ and d-, and unit vectors along them (zero vectors where the length is zero).
 struct Bias {
   double plus_length, minus_length;
   Vec3 plus, minus;
@@ -27,8 +27,9 @@ double orthogonalShear(const Mat32& F) {
 }
 
 FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, HessianKind kind) {
-  // In (d+, d-) the eigenvectors are (plus, -minus) along the bias and whatever is across plus or minus: one of the
-  // two across terms is negative.
+  // Written in (d+, d-), the Hessian has the eigenvector (plus, -minus) along the bias directions; its other
+  // eigenvectors are perpendicular to plus in d+ or to minus in d-. The eigenvalues of these two kinds have opposite
+  // signs, so one of them is negative.
   const Bias bias(F);
   const double excess = bias.condition() - spring.c;
   const double across_plus = bias.plus_length > 0.0 ? keptEigenvalue(excess / bias.plus_length, kind) : 0.0;
@@ -48,7 +49,7 @@ FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, Hessia
 }
 
 FrameHessian bw98ShearHessian(const Mat32& F, const Spring& spring, HessianKind kind) {
-  // k [q qᵀ + (C - c) (0 I; I 0)] with q = (f_v, f_u).
+  // H = k [q qᵀ + (C - c) (0 I; I 0)] with q = (f_v, f_u).
   using Mat6 = Eigen::Matrix<double, 6, 6>;
   Eigen::Matrix<double, 6, 1> q;
   q << F.col(1), F.col(0);

@@ -5,24 +5,26 @@
 //
 //   orthogonal   C = |d+| - |d-|   the difference of the two bias stretches
 //   bw98         C = f_u . f_v     Baraff and Witkin 1998, per area
-//   psi = k/2 (C - c)^2            k in N/m; c as in stretch.h
+//   psi = k/2 (C - c)^2            k stiffness, N/m; c value of C at rest: 0 without damping, shifted by damping
+//                                  towards C at the start of the step
 //
-// Both are zero exactly where f_u is orthogonal to f_v, and agree to second order near F's rest.  With c = 0 the first
-// is k times the squared distance of F to the nearest pair of orthogonal columns, so that projective dynamics
-// reproduces it exactly, at weight 2k.
+// In both forms C is zero exactly where f_u is orthogonal to f_v, and the two agree to second order near the rest
+// shape. With c = 0, psi of the orthogonal form is k times the squared distance of F to the nearest matrix with
+// orthogonal columns. Projective dynamics therefore reproduces it exactly, at weight 2k.
 #pragma once
 
 #include "solver/energy/element.h"
 
 namespace ease {
 
-/// C, dimensionless.
+/// Condition C of the orthogonal form, dimensionless.
 double orthogonalShear(const Mat32& F);
+/// Condition C of the form bw98, dimensionless.
 inline double bw98Shear(const Mat32& F) {
   return F.col(0).dot(F.col(1));
 }
 
-/// psi, N/m; adds d psi / d F, N/m, to `stress`.
+/// Returns psi of the orthogonal form, N/m, and adds d psi / d F, N/m, to `stress`.
 template <class Real>
 Real addOrthogonalShear(const Deformation<Real>& F, double k, const Real& c, Deformation<Real>& stress) {
   const Column<Real> plus{F.u.x + F.v.x, F.u.y + F.v.y, F.u.z + F.v.z};
@@ -38,6 +40,7 @@ Real addOrthogonalShear(const Deformation<Real>& F, double k, const Real& c, Def
   return 0.5 * k * excess * excess;
 }
 
+/// Returns psi of the form bw98, N/m, and adds d psi / d F, N/m, to `stress`.
 template <class Real>
 Real addBw98Shear(const Deformation<Real>& F, double k, const Real& c, Deformation<Real>& stress) {
   const Real excess = dot(F.u, F.v) - c;
@@ -46,7 +49,7 @@ Real addBw98Shear(const Deformation<Real>& F, double k, const Real& c, Deformati
   return 0.5 * k * excess * excess;
 }
 
-/// Second derivative by F.
+/// Second derivative of psi with respect to F, N/m, in either form.
 FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, HessianKind kind);
 FrameHessian bw98ShearHessian(const Mat32& F, const Spring& spring, HessianKind kind);
 

@@ -2,18 +2,18 @@
 //
 //   f    column of F, 3, dimensionless; |f| = 1 where unstretched
 //   k    stiffness, N/m (energies are per rest area)
-//   c    length at rest; 1, or less than 1 off where damping pulls towards the length at the start of the step
+//   c    rest length: 1 without damping; damping shifts it towards |f| at the start of the step
 //
 //   psi = k/2 (|f| - c)^2      Baraff and Witkin 1998, section 4.2
 //
-// Projective dynamics reproduces it exactly: the nearest point with psi = 0 is c f / |f|, at weight k.
+// Projective dynamics reproduces this energy exactly, at weight k: the nearest vector with psi = 0 is c f / |f|.
 #pragma once
 
 #include "solver/energy/element.h"
 
 namespace ease {
 
-/// psi, N/m; adds d psi / d f, N/m, to `stress`: nothing where f is zero.
+/// Returns psi, N/m, and adds d psi / d f, N/m, to `stress`. Adds nothing where f is zero.
 template <class Real>
 Real addStretch(const Column<Real>& f, double k, const Real& c, Column<Real>& stress) {
   const Real now = length(f);
@@ -23,7 +23,7 @@ Real addStretch(const Column<Real>& f, double k, const Real& c, Column<Real>& st
   return 0.5 * k * excess * excess;
 }
 
-/// Second derivative by f, N/m; its negative part is that across f, where compressed.
+/// Second derivative of psi with respect to f, N/m. Under compression (|f| < c) it is negative perpendicular to f.
 Mat3 stretchHessian(const Vec3& f, const Spring& spring, HessianKind kind);
 
 }  // namespace ease

@@ -7,14 +7,16 @@
 
 namespace ease {
 
-/// Reads PLY, OBJ, STL (its exactly coincident points merged) or VTP by the file's extension.  Vertices keep the file's
-/// order, those that no triangle uses included; a polygon is cut into a fan from its first corner; points, lines,
-/// normals and textures are left out.  Throws InputError, naming the file, if it is missing, unreadable, cut short, of
-/// another kind, without triangles, or has an index out of range or a coordinate that is not finite.
+/// Reads a PLY, OBJ, STL or VTP file; the file's extension says which. Vertices keep the order of the file, and
+/// vertices that no triangle uses are kept. In an STL file, corners with exactly equal coordinates become one vertex. A
+/// polygon is cut into a fan from its first corner. Points, lines, normals and textures are left out.
+///
+/// Throws InputError, which names the file, if the file is missing, unreadable, cut short, of another format or without
+/// triangles, if an index is out of range, or if a coordinate is not finite.
 TriangleMesh readMesh(const std::filesystem::path& file);
 
-/// Writes an OBJ with 17 significant digits, to a temporary name first, then renamed.  Throws ComputationError naming
-/// the file.
+/// Writes an OBJ file with 17 significant digits. The file is written under a temporary name and then renamed, so that
+/// a half-written file never has the final name. Throws ComputationError, which names the file.
 void writeObj(const std::filesystem::path& file, const TriangleMesh& mesh);
 
 }  // namespace ease

@@ -19,8 +19,8 @@ std::array<double, 3> readVertex(std::string_view line, const std::string& name,
   return point;
 }
 
-/// Corners "v", "v/vt", "v//vn" or "v/vt/vn", of which v counts: from 1, or from the last vertex so far back if
-/// negative.
+/// Reads the corners of a face, written "v", "v/vt", "v//vn" or "v/vt/vn"; only v is used. Positive indices count from
+/// 1; negative indices count back from the last vertex read so far, which is -1.
 void readFace(std::string_view line, const std::string& name, int line_number, long long vertices_so_far,
               std::vector<long long>& corners) {
   corners.clear();

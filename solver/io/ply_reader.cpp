@@ -17,7 +17,7 @@ enum class Type { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFl
 struct Property {
   std::string name;
   Type type;
-  std::optional<Type> count_type;  // set for a list
+  std::optional<Type> count_type;  // type of a list's length; empty if the property is a single number
 };
 
 struct Element {
@@ -52,7 +52,7 @@ std::optional<Encoding> encodingNamed(std::string_view word) {
   return std::nullopt;
 }
 
-/// Reads "property type name" or "property list count_type type name" into `header`; false if it is neither.
+/// Reads "property type name" or "property list count_type type name" into `header`; returns false if it is neither.
 bool readProperty(std::string_view words, Header& header) {
   if (header.elements.empty()) return false;
   Property property{};
@@ -128,7 +128,7 @@ std::size_t sizeOf(Type type) {
   }
 }
 
-/// The numbers that follow the header.  A double holds every type of PLY exactly.
+/// Reads the numbers that follow the header, as double, which holds every PLY type exactly.
 class Body {
  public:
   Body(std::string_view bytes, Encoding encoding)
@@ -138,7 +138,7 @@ class Body {
 
   std::size_t bytesLeft() const { return bytes_.size(); }
 
-  /// Reads the next number; returns none at the end or where the text is no number.
+  /// Reads the next number; returns nothing at the end of the file or if the text is not a number.
   std::optional<double> take(Type type) {
     if (text_) return parseNumber<double>(takeWord(bytes_));
     if (bytes_.size() < sizeOf(type)) return std::nullopt;
@@ -169,7 +169,8 @@ class Body {
   bool swapped_;
 };
 
-/// Reads all the numbers of `property`, one or a list, into `values`; false where the file ends or holds no number.
+/// Reads the number or the list of numbers of `property` into `values`; returns false if the file ends or has no number
+/// there.
 bool readValues(Body& body, const Property& property, std::vector<double>& values) {
   values.clear();
   double count = 1.0;
@@ -231,7 +232,7 @@ RawMesh readPly(std::string_view bytes, const std::string& name) {
   RawMesh mesh;
   std::vector<double> values;
   for (const Element& element : header.elements) {
-    // Every element takes at least a byte, so that a wrong count in the header cannot outlast the file.
+    // Every element takes at least one byte. A larger count is wrong and is refused before the elements are read.
     if (element.count > static_cast<long long>(body.bytesLeft())) {
       throw InputError(fmt::format("{}: the header promises {} elements \"{}\", but only {} bytes follow", name,
                                    element.count, element.name, body.bytesLeft()));

@@ -12,7 +12,8 @@
 namespace ease {
 namespace {
 
-// Binary: a header of 80 bytes, the number of triangles, and for each the normal, three corners (float) and two bytes.
+// A binary file has a header of 80 bytes, the number of triangles (4 bytes), and for each triangle its normal and three
+// corners (12 floats) and two more bytes.
 constexpr std::size_t kHeaderBytes = 84, kTriangleBytes = 50, kNormalBytes = 12;
 
 std::size_t promisedTriangles(std::string_view bytes) {
@@ -73,8 +74,8 @@ std::vector<std::array<double, 3>> readTextCorners(std::string_view text, const 
 RawMesh mergeCorners(const std::vector<std::array<double, 3>>& corners) {
   std::vector<int> sorted(corners.size());
   std::iota(sorted.begin(), sorted.end(), 0);
-  // Equal coordinates are sorted by corner number, so that each run of equals begins with its first appearance.  NaN
-  // must not break the sort; its place is irrelevant, since it is refused later.
+  // Corners with equal coordinates are sorted by corner number, so that each run of equal corners begins with its first
+  // appearance. NaN must not break the sort. Its place does not matter, because readMesh refuses it later.
   const auto comesBefore = [&](int i, int j) {
     for (int k = 0; k < 3; ++k) {
       if (corners[i][k] != corners[j][k]) return std::is_lt(std::strong_order(corners[i][k], corners[j][k]));

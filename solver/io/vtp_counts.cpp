@@ -1,4 +1,5 @@
-// Checks of what VTK's reader trusts in a .vtp file: counts that it allocates for, block sizes that it divides by.
+// Checks numbers in a .vtp file that VTK's reader uses unchecked: counts that determine how much memory it allocates,
+// and block sizes by which it divides.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 constexpr std::uint64_t kMaxCompression = 4096;  // bytes of content per byte of the file
 constexpr std::size_t npos = std::string_view::npos;
 
-/// The value of an attribute in a tag's text; empty if there is none.
+/// Value of an attribute in a tag's text; empty if the tag has no such attribute.
 std::string_view attribute(std::string_view tag, std::string_view name) {
   for (std::size_t at = tag.find(name); at != npos; at = tag.find(name, at + 1)) {
     std::size_t quote = at + name.size();
@@ -79,13 +80,15 @@ class Counts {
   }
 
  private:
-  /// From its first character to its last, '>'.
+  /// Text of the first tag at or after position `from` that begins with `start`, including its '>'; empty if there is
+  /// none.
   std::string_view tagNamed(std::string_view start, std::size_t from) const {
     const std::size_t at = bytes_.find(start, from), end = at == npos ? npos : bytes_.find('>', at);
     return end == npos ? std::string_view() : bytes_.substr(at, end + 1 - at);
   }
 
-  /// Reads a whole number as VTK does; a negative or too large one becomes the largest.
+  /// Reads a whole number as VTK does. A negative number or one that is too large becomes the largest representable
+  /// one.
   static std::uint64_t number(std::string_view text) {
     while (!text.empty() && (std::isspace(static_cast<unsigned char>(text.front())) || text.front() == '+'))
       text.remove_prefix(1);
@@ -111,13 +114,14 @@ class Counts {
     return value;
   }
 
-  /// A compressed array begins with three numbers: of blocks, bytes per block, and bytes of the last, which may be 0.
+  /// Checks the start of a compressed array, three numbers: the number of blocks, the bytes per block, and the bytes of
+  /// the last block, which may be 0.
   void checkBlocks(std::string_view content, bool in_base64) const {
     const std::size_t size = 3 * word_;
     const auto end = content.begin() + static_cast<long>(std::min(size, content.size()));
     const std::vector<unsigned char> header =
         in_base64 ? fromBase64(content, size) : std::vector<unsigned char>(content.begin(), end);
-    if (header.size() < size) return;  // VTK reports a file that is cut short
+    if (header.size() < size) return;  // VTK itself reports a file that is cut short
     const std::uint64_t blocks = wordAt(header, 0), block = wordAt(header, 1), last = wordAt(header, 2);
     if (blocks > 0 && block == 0) throw InputError(fmt::format("{}: damaged: an array in blocks of 0 bytes", name_));
     expectLittle(blocks, "blocks of an array");

@@ -24,7 +24,7 @@ class MessageKeeper : public vtkOutputWindow {
   void DisplayText(const char*) override {}
   void DisplayErrorText(const char* text) override { errors_ += text; }
 
-  /// The sentence of the first error; VTK writes "ERROR: In file, line n\nclass (address): sentence".
+  /// Sentence of the first error. VTK writes an error as "ERROR: In file, line n\nclass (address): sentence".
   std::string firstSentence() const {
     const std::size_t line_end = errors_.find('\n');
     if (line_end == std::string::npos) return errors_;
@@ -41,8 +41,8 @@ class MessageKeeper : public vtkOutputWindow {
 };
 vtkStandardNewMacro(MessageKeeper);
 
-/// Replaces VTK's global message window by a MessageKeeper, and restores it at the end.  VTK also logs to the terminal;
-/// that log is off meanwhile.
+/// Replaces VTK's global message window by a MessageKeeper during its lifetime. It also turns off VTK's log to the
+/// terminal for that time.
 class Silence {
  public:
   Silence()

@@ -1,7 +1,7 @@
 // Symmetric sparse matrix of 3x3 blocks that couples every vertex of a mesh with itself and its neighbours.
 //
-// Both triangles are stored, row by row, so that rows can be assembled and multiplied in parallel without write
-// conflicts; the pattern is fixed.
+// The blocks above the diagonal are stored as well as those below it, row by row, so that threads can assemble and
+// multiply rows in parallel without write conflicts. The pattern is fixed.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ class BlockMatrix {
   BlockMatrix(int vertices, const std::vector<Edge>& edges);
 
   int rows() const { return static_cast<int>(start_.size()) - 1; }
-  /// Range of a row's blocks, by ascending column; the diagonal block is one of them.
+  /// Range of a row's blocks, ordered by column. The diagonal block is one of them.
   int rowBegin(int row) const { return start_[row]; }
   int rowEnd(int row) const { return start_[row + 1]; }
   int column(int block) const { return column_[block]; }

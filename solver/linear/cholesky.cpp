@@ -17,13 +17,13 @@ struct Cholesky::Data {
   cholmod_common common;
   cholmod_factor* factor = nullptr;
   bool factored = false;
-  // Workspace of cholmod_solve2, kept between solves.
+  // Work arrays of cholmod_solve2, kept between solves.
   cholmod_dense* x = nullptr;
   cholmod_dense* y = nullptr;
   cholmod_dense* e = nullptr;
 
   explicit Data(Kind kind) {
-    openblas_set_num_threads(1);  // a garment's supernodes are too small to gain by a second thread
+    openblas_set_num_threads(1);  // a garment's supernodes are too small to gain from a second thread
     cholmod_start(&common);
     common.print = 0;
     common.supernodal = kind == Kind::kSupernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
@@ -43,6 +43,7 @@ struct Cholesky::Data {
 
 namespace {
 
+/// CHOLMOD's description of the matrix, without a copy of its entries.
 cholmod_sparse view(const SparseMatrix& lower) {
   assert(lower.isCompressed() && lower.rows() == lower.cols());
   cholmod_sparse a{};
@@ -80,7 +81,8 @@ void Cholesky::analyse(const SparseMatrix& lower, std::span<const int> ordering)
 
 bool Cholesky::factor(const SparseMatrix& lower) {
   assert(data_->factor);
-  // CHOLMOD opens four OpenMP threads a supernode, whatever it is asked for, that spin where ours work.
+  // CHOLMOD starts four OpenMP threads per supernode and ignores its own setting for their number. These threads wait
+  // actively and take time from the program's own threads.
   omp_set_max_active_levels(0);
   cholmod_sparse a = view(lower);
   cholmod_factorize(&a, data_->factor, &data_->common);

@@ -1,10 +1,10 @@
-// Sparse Cholesky factorisation P A Pᵀ = L Lᵀ over CHOLMOD (Chen et al. 2008).
+// Sparse Cholesky factorisation P A Pᵀ = L Lᵀ, computed by CHOLMOD (Chen et al. 2008).
 //
-//   A   symmetric positive definite, given by its lower triangle, compressed columns
-//   P   ordering that keeps L sparse: found once for a pattern, reused for every set of values
+//   A   symmetric positive definite matrix, given by its lower triangle in compressed columns
+//   P   ordering that keeps L sparse; computed once for a pattern and used again for all values
 //
-// A simplicial factor is kept and solved with here, in double precision.  A supernodal one is factored faster where
-// fill is large, and can be handed on as panels, with which a preconditioner is solved (panels.h).
+// A simplicial factor solves in double precision. A supernodal factor is faster to compute if L has many more entries
+// than A, and can be copied to panels, which solve in single precision as a preconditioner (panels.h).
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -16,7 +16,7 @@
 
 namespace ease {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;  // compressed columns; ours hold the lower triangle
+using SparseMatrix = Eigen::SparseMatrix<double>;  // compressed columns; holds the lower triangle
 
 class Cholesky {
  public:
@@ -27,10 +27,11 @@ class Cholesky {
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
 
-  /// Orders and analyses the pattern of `lower`.  An `ordering` (k-th entry: the row that comes k-th) is used as it is.
+  /// Orders and analyses the pattern of `lower`. A given `ordering`, whose k-th entry is the row that is eliminated
+  /// k-th, is used unchanged.
   void analyse(const SparseMatrix& lower, std::span<const int> ordering = {});
 
-  /// Factors values on the analysed pattern.  Returns false, without a factor, if A is not positive definite.
+  /// Factors a matrix with the analysed pattern. Returns false, and has no factor then, if it is not positive definite.
   [[nodiscard]] bool factor(const SparseMatrix& lower);
   bool isFactored() const;
 
@@ -40,7 +41,7 @@ class Cholesky {
   /// Copies a supernodal factor to panels, rounded to single precision.
   void copyTo(Panels& panels) const;
 
-  /// The ordering in use; its k-th entry is the row that comes k-th.
+  /// The ordering in use. Its k-th entry is the row that is eliminated k-th.
   std::vector<int> ordering() const;
 
  private:
@@ -48,7 +49,7 @@ class Cholesky {
   std::unique_ptr<Data> data_;
 };
 
-/// Extends an ordering of n vertices to their 3n coordinates; those of a vertex stay together.
+/// Extends an ordering of n vertices to their 3n coordinates. The three coordinates of a vertex stay together.
 std::vector<int> liftOrdering(std::span<const int> ordering);
 
 }  // namespace ease

@@ -1,4 +1,4 @@
-// Inner products of n x 3 arrays, the same to the last bit for any number of threads.
+// Inner product of two n x 3 arrays. The result is equal to the last bit for any number of threads.
 #pragma once
 
 #include "solver/base/parallel.h"

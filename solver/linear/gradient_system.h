@@ -1,25 +1,34 @@
-// The one linear system that several users share: vertex positions whose triangle gradients are nearest to given ones.
+// Linear system for the vertex positions whose triangle gradients are nearest to given targets.
 //
 //   minimise over x (n x 3)   sum_t w_t |F_t(x) - T_t|^2  +  sum_i m_i |x_i - y_i|^2
 //
 //   F_t = [x1 - x0, x2 - x0] D_t^-1   3x2 gradient of triangle t with respect to its flat coordinates
-//   D_t                               2x2 edges of the triangle in the plane, m
-//   T_t                               target, 3x2
-//   w_t, m_i                          weights, any unit, the same for both
+//   D_t                               2x2 edges of the triangle in its plane, m
+//   T_t                               target gradient of triangle t, 3x2
+//   y_i                               anchor of vertex i, m
+//   w_t, m_i                          weights of targets and anchors
 //
-// The matrix is a weighted cotangent Laplacian plus a diagonal (n x n, symmetric, positive definite if every connected
-// part has some m_i > 0), with three right-hand sides.  It serves the global step of projective dynamics (Bouaziz et
-// al. 2014), the stitcher of adapted triangles (Sorkine and Alexa 2007) and the interpolation of poses (Sumner and
-// Popovic 2004).  Weights that differ along warp and weft go into the columns of D^-1.
+// The matrix A is a weighted cotangent Laplacian plus a diagonal. It is n x n and symmetric, positive definite if every
+// connected part has some m_i > 0, and has three right-hand sides. Three algorithms use this system: the global step of
+// projective dynamics (Bouaziz et al. 2014), the stitcher of adapted triangles (Sorkine and Alexa 2007) and the
+// interpolation of poses (Sumner and Popovic 2004). Different weights along warp and weft are put into the columns of
+// D^-1.
 //
-// Stitcher and interpolation use a simplicial factor, in double precision, which is faster to make.  Projective
-// dynamics solves for corrections some ten times a step and takes panels (panels.h).  Milliseconds at 10,000 vertices,
-// one thread: factor 9.6 simplicial, 15 supernodal; solve .68 simplicial, .60 panels (.35 with two threads).
+// The stitcher and the interpolation use a simplicial factor in double precision, which is faster to compute.
+// Projective dynamics solves about ten times per step and uses panels (panels.h), which are faster to solve with.
+// Milliseconds for 10,000 vertices on one thread:
 //
-// Tried and dropped: the stitcher on projective dynamics' own factor (11 to 14 iterations for its 10, of
-// panels: 3.4 ms for 5.5 at 4,271 vertices; with L-BFGS, on either's factor, 6 iterations and 2.0 ms; a run of the main
-// job is as fast to a hundredth with any of them).  CHOLMOD's update of a factor where contacts come and go: as long as
-// a new factor for 170, 380, 500 vertices of 1,100, 4,271, 10,000, while contacts ask for 13 factors in 480 steps.
+//            simplicial   supernodal, panels
+//   factor   9.6          15
+//   solve    0.68         0.60 (0.35 on two threads)
+//
+// Tried and dropped:
+// - The stitcher with the factor of projective dynamics. At 4,271 vertices it takes 11 to 14 iterations on panels and
+//   3.4 ms instead of 10 iterations and 5.5 ms; with L-BFGS and either factor, 6 iterations and 2.0 ms. The time of a
+//   whole run changes by less than 1 %.
+// - Updates of the factor by CHOLMOD when contacts begin or end. If 170 of 1,100, 380 of 4,271 or 500 of 10,000
+// vertices
+//   change, an update takes as long as a new factor, and contacts need only 13 new factors in 480 steps.
 #pragma once
 
 #include <array>
@@ -32,20 +41,22 @@
 
 namespace ease {
 
-/// Makes the lower triangle, all zero, of the matrix that couples each vertex with itself and its neighbours.
+/// Makes the pattern of the matrix that couples each vertex with itself and its neighbours: lower triangle, all values
+/// zero.
 SparseMatrix vertexPattern(int vertices, const Triangles& triangles);
 
-/// Orders a mesh's vertices so that factors stay sparse (METIS); one ordering serves all systems on the mesh.
+/// Computes an elimination order of a mesh's vertices that keeps factors sparse (METIS). All systems on the mesh can
+/// use it.
 std::vector<int> systemOrdering(int vertices, const Triangles& triangles);
 
 class GradientSystem {
  public:
-  /// Analyses the mesh's connectivity.  `ordering`: systemOrdering() of the mesh, or empty to compute it here.
+  /// Analyses the mesh's connectivity. `ordering` is systemOrdering() of the mesh; if empty, it is computed.
   GradientSystem(int vertices, const Triangles& triangles, std::span<const int> ordering = {},
                  Cholesky::Kind kind = Cholesky::Kind::kSimplicial);
 
-  /// Sets the matrix's values and factors it; returns false if it is not positive definite.  Rows of `fixed` vertices
-  /// (none if empty) become those of the identity.
+  /// Computes the matrix from D_t^-1, w_t and m_i and factors it; returns false if it is not positive definite. Rows of
+  /// `fixed` vertices become those of the identity; if `fixed` is empty, there are none.
   [[nodiscard]] bool factor(std::span<const Mat2> rest_inverse, std::span<const double> weights,
                             std::span<const double> diagonal, std::span<const char> fixed = {});
 
@@ -63,9 +74,9 @@ class GradientSystem {
   Cholesky::Kind kind_;
   Panels panels_;
   std::vector<std::array<int, 9>>
-      slots_;  // where corners p, q of triangle t stand in the values; -1 above the diagonal
+      slots_;  // index in the matrix's values of corners p, q of triangle t, by 3 p + q; -1 above the diagonal
   std::vector<int> diagonal_slots_;
-  std::vector<Mat32> weighted_gradients_;  // w_t B_t
+  std::vector<Mat32> weighted_gradients_;  // w_t times the gradients of the three shape functions
   std::vector<double> diagonal_;
   Eigen::MatrixX3d right_;  // stored by columns, as the factor expects them
 };

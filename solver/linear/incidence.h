@@ -1,5 +1,5 @@
-// The elements around each vertex: a loop over vertices can sum what elements computed in a fixed order, without write
-// conflicts between threads.
+// The elements around each vertex. With it a loop over vertices adds up results of elements in a fixed order and
+// without write conflicts between threads.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace ease {
 
-/// Lists for each vertex the corners of elements that lie at it, as element * corners + corner, ascending.
+/// Lists for each vertex the element corners at it, as element * (corners per element) + corner, in ascending order.
 class Incidence {
  public:
   /// `element_vertices`: vertex indices, the same number for each element; negative ones are skipped.

@@ -11,10 +11,10 @@ namespace ease {
 namespace {
 
 constexpr int kMaxStride = 4;          // floats per row of x
-constexpr size_t kParts = 8;           // a subtree has at most 1/kParts of the work
-constexpr size_t kMinToSplit = 20000;  // entries; a smaller factor is solved before a second thread has woken up
+constexpr size_t kParts = 8;           // a subtree has at most 1/kParts of the entries
+constexpr size_t kMinToSplit = 20000;  // a factor with fewer entries is solved before a second thread could start
 
-using Quad = Eigen::Array4f;  // three right-hand sides of a row, and nothing
+using Quad = Eigen::Array4f;  // three right-hand sides of a row and one unused value
 using Vector = Eigen::Map<Eigen::VectorXf>;
 using Block = Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>;
 
@@ -42,7 +42,7 @@ void Panels::set(const PanelShape& shape, std::span<const double> values) {
 void Panels::findSubtrees() {
   const int count = shape_.panelCount(), n = shape_.first_column.back();
   std::vector<int> panel_of(n), parent(count, -1), first(count);
-  std::vector<size_t> entries(count);  // of a panel and all its descendants
+  std::vector<size_t> entries(count);  // number of entries in a panel and all its descendants
   size_t total = 0;
   int most_rows = 0;
   for (int s = 0; s < count; ++s) {
@@ -87,8 +87,8 @@ void Panels::findSubtrees() {
   work_.resize(most_rows);
 }
 
-/// Solves L for the panel's columns, one by one, and subtracts their products from the rows below: in x_ up to
-/// last_column, in `updates` beyond.
+/// Solves with L for the panel's columns, one after the other. Then subtracts their products from the rows below: rows
+/// before `last_column` are changed in x_, the products of later rows are added to `updates`.
 template <>
 void Panels::forward<1>(int panel, int last_column, float* updates, float* work) {
   const int first = shape_.first_column[panel], width = shape_.columnCount(panel), height = shape_.rowCount(panel);
@@ -109,6 +109,7 @@ void Panels::forward<1>(int panel, int last_column, float* updates, float* work)
   for (; i < below; ++i) updates[rows[i]] += product[i];
 }
 
+/// Solves with Lᵀ for the panel's columns, from the last to the first. The rows below must be solved already.
 template <>
 void Panels::backward<1>(int panel, float* work) {
   const int first = shape_.first_column[panel], width = shape_.columnCount(panel), height = shape_.rowCount(panel);
@@ -129,8 +130,8 @@ void Panels::backward<1>(int panel, float* work) {
   }
 }
 
-/// Three right-hand sides, one quad per row: each entry of L is read once for all three, and four rows (or columns) at
-/// a time keep four sums in registers.
+/// Solves for three right-hand sides, one quad per row. Each entry of L is read once for all three, and four rows at a
+/// time keep four sums in registers.
 template <>
 void Panels::forward<3>(int panel, int last_column, float* updates, float*) {
   const int first = shape_.first_column[panel], width = shape_.columnCount(panel), height = shape_.rowCount(panel);
@@ -167,6 +168,7 @@ void Panels::forward<3>(int panel, int last_column, float* updates, float*) {
   }
 }
 
+/// Solves for three right-hand sides, one quad per row. Four columns at a time keep four sums in registers.
 template <>
 void Panels::backward<3>(int panel, float*) {
   const int first = shape_.first_column[panel], width = shape_.columnCount(panel), height = shape_.rowCount(panel);

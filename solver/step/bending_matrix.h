@@ -1,8 +1,10 @@
-// Quadratic bending as a matrix: constant between rest shapes, the same for every coordinate.
+// Quadratic bending as a matrix. It is constant as long as the rest shape is, and each coordinate x, y, z uses the same
+// matrix.
 //
 //   1/2 sum_hinges w |sum_i K_i x_i|^2 = 1/2 xᵀ Q x,   Q = sum_hinges w K Kᵀ      n x n, N/m (hinge.h, bending.h)
 //
-// It reaches to the second ring of a vertex and is weak beside the membrane: it is multiplied with, never factored.
+// The matrix couples a vertex with its second ring of neighbours, and bending is weak compared with the membrane.
+// Solvers therefore only multiply with it and never factor it.
 #pragma once
 
 #include <vector>
@@ -13,17 +15,17 @@ namespace ease {
 
 class BendingMatrix {
  public:
-  /// The pattern; hinges must stay those of the same mesh.
+  /// Builds the sparsity pattern. set() must be called with hinges of the same mesh, in the same order.
   BendingMatrix(int vertices, const std::vector<Hinge>& hinges);
 
-  /// Numbers for hinges of `stiffness` D (N m).
+  /// Computes the entries for hinges of bending stiffness D = `stiffness`, N m.
   void set(const std::vector<Hinge>& hinges, double stiffness);
 
   bool empty() const { return values_.empty(); }
 
-  /// Adds row i of Q x, N, to `product`, and returns the row's share of 1/2 xᵀ Q x, J.  Rows of Q add up to zero, so
-  /// that it sees differences alone, where rounding is least: (Q x)_i = sum_j Q_ij (x_j - x_i), and the share is
-  /// -1/4 sum_j Q_ij |x_j - x_i|^2.
+  /// Adds row i of Q x, N, to `product`, and returns the row's share of 1/2 xᵀ Q x, J:
+  ///   (Q x)_i = sum_j Q_ij (x_j - x_i),   share = -1/4 sum_j Q_ij |x_j - x_i|^2
+  /// Both hold because each row of Q sums to zero. Differences of positions have less round-off than positions.
   double addRow(int i, const Positions& x, Vec3& product) const {
     const Vec3 here = x.row(i);
     double energy = 0.0;
@@ -35,16 +37,16 @@ class BendingMatrix {
     return 0.25 * energy;
   }
 
-  /// What rounding may do to the energy of all rows, J.
+  /// Estimates the round-off in the bending energy, the sum over all rows, J.
   double roundOff(const Positions& x) const;
 
-  /// Sum of |Q_ij| over j, N/m: a diagonal of these bounds Q.
+  /// Sum of |Q_ij| over j, N/m. The diagonal matrix of these sums is an upper bound of Q.
   double rowBound(int i) const;
 
  private:
-  std::vector<int> start_, column_;
-  std::vector<double> values_;  // N/m
-  std::vector<int> slots_;      // of hinge h, corners p, q: slots_[16 h + 4 p + q]
+  std::vector<int> start_, column_;  // compressed rows: row i has the entries start_[i] to start_[i + 1] - 1
+  std::vector<double> values_;       // N/m
+  std::vector<int> slots_;           // index in values_ for corners p, q of hinge h: slots_[16 h + 4 p + q]
 };
 
 }  // namespace ease

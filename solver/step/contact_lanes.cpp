@@ -66,8 +66,8 @@ void ContactLayout::setGroup(int g, const Contacts& contacts) {
   std::vector<ContactLanes>& all = groups_[g];
   all.clear();
   if (empty_) return;
-  size_t first = 0;  // of the block's
-  int used[kLanes];
+  size_t first = 0;  // index in `all` of the current block's first element
+  int used[kLanes];  // number of the block's samples placed in each lane so far
   const auto add = [&](const HostedSample& hosted, const ContactPlane& plane) {
     const int block = hosted.triangle / kLanes, lane = hosted.triangle % kLanes;
     if (all.empty() || all.back().block != block) {

@@ -1,10 +1,11 @@
-// Contact samples laid out beside the triangles that they lie in, eight side by side.
+// Contact samples in the memory order of the triangles that they lie in, eight side by side.
 //
-// Each sample has a triangle as its host: a centroid its own, a midpoint the edge's first, a vertex the first around
-// it.  Its plane waits in the lane that its host has in the loop over triangles, so that this loop, which has the
-// corners' positions and what the membrane does to them, takes contact along without looking anything up.
+//   x = x0 + w1 (x1 - x0) + w2 (x2 - x0)   position of a sample, m; x0, x1, x2 are the corners of its host triangle
 //
-//   x   place of the sample = x0 + w1 (x1 - x0) + w2 (x2 - x0) for corners x0, x1, x2 of the host, m
+// Each sample has one host triangle: a centroid has its own triangle, an edge midpoint the first triangle at the edge,
+// a vertex the first triangle around it. The contact plane of the sample is stored in the lane that its host has in the
+// loop over triangles. That loop has already loaded the corner positions for the membrane, so it computes contact with
+// no further lookup.
 #pragma once
 
 #include <vector>
@@ -15,66 +16,70 @@
 
 namespace ease {
 
+/// A contact sample and its host triangle, as indices.
 struct HostedSample {
   int sample, triangle;
 };
 
-/// All samples of a cloth (samples.h) in the order of their hosts.  Vertices without a triangle have none: they stand
-/// for no area.
+/// All samples of a cloth (samples.h), ordered by host triangle. A vertex without a triangle has no host and is left
+/// out, because it stands for no area.
 std::vector<HostedSample> hostedSamples(const Cloth& cloth);
 
-/// Of eight triangles: where their first corners are and the edges from there to the second and the third, m.
+/// First corner of eight triangles, and the edges from it to the second and the third corner, m.
 struct TriangleEdges {
   Column<Lanes> first, edge_1, edge_2;
 };
 
+/// At most one contact sample with its plane for each of eight consecutive triangles.
 struct ContactLanes {
-  int block;           // its triangles: 8 block, 8 block + 1, ...
-  int sample[kLanes];  // -1: none
-  Lanes weight[2];     // w1, w2
+  int block;           // the triangles are 8 block, 8 block + 1, ..., 8 block + 7
+  int sample[kLanes];  // index of the sample; -1: the lane is empty
+  Lanes weight[2];     // barycentric weights w1, w2
   Column<Lanes> normal;
   Lanes offset, give;  // m
-  Lanes area;          // m^2 that the sample stands for
+  Lanes area;          // area that the sample stands for, m^2
 
-  /// No samples.
+  /// All lanes are empty.
   explicit ContactLanes(int block_of_triangles);
   void set(int lane, const Cloth& cloth, const HostedSample& hosted, const ContactPlane& plane);
 
   Vec3 normalOf(int lane) const { return {normal.x[lane], normal.y[lane], normal.z[lane]}; }
 
-  /// m, 0 above.
+  /// Depth of the samples below their planes, m; 0 above.
   Lanes depth(const TriangleEdges& hosts) const {
     const auto along = [&](const Column<Lanes>& a) -> Lanes { return dot(a, normal); };
     return (offset - along(hosts.first) - weight[0] * along(hosts.edge_1) - weight[1] * along(hosts.edge_2)).max(0.0);
   }
 };
 
-/// Lanes of all samples that have a plane, by groups of triangles.
+/// Lanes of all samples that have a plane, in groups of consecutive triangles.
 class ContactLayout {
  public:
-  /// `group`: triangles of a group, a multiple of 8.
+  /// `group`: number of triangles in a group, a multiple of 8.
   ContactLayout(const Cloth& cloth, int group);
 
+  /// Replaces the contacts.
   void set(const Contacts& contacts);
 
   bool empty() const { return empty_; }
   int sampleCount() const { return static_cast<int>(place_.size()); }
   int groupCount() const { return static_cast<int>(groups_.size()); }
-  /// In the order of their blocks.
+  /// Lanes of group g, ordered by block.
   const std::vector<ContactLanes>& group(int g) const { return groups_[g]; }
 
  private:
+  /// A second plane of a sample.
   struct Second {
-    int place;  // in samples_
+    int place;  // index in samples_
     ContactPlane plane;
   };
   void setGroup(int g, const Contacts& contacts);
 
   const Cloth& cloth_;
   std::vector<HostedSample> samples_;
-  std::vector<int> place_;       // of each sample in these; -1: no host
-  std::vector<int> begin_;       // of each group's samples in these
-  std::vector<Second> seconds_;  // in the order of their places
+  std::vector<int> place_;       // index in samples_ by sample; -1: the sample has no host
+  std::vector<int> begin_;       // index in samples_ of each group's first sample
+  std::vector<Second> seconds_;  // ordered by place
   std::vector<std::vector<ContactLanes>> groups_;
   bool empty_ = true;
 };

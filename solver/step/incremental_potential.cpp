@@ -11,8 +11,8 @@ namespace ease {
 namespace {
 
 constexpr int kGrain = 512;
-constexpr int kGroup = 512;          // of triangles or vertices, computed one after the other: a multiple of kLanes
-constexpr double kRoundOff = 1e-12;  // of the potential and the motion
+constexpr int kGroup = 512;          // triangles or vertices that one thread computes in order; a multiple of kLanes
+constexpr double kRoundOff = 1e-12;  // round-off relative to the potential and the motion
 
 std::span<const int> flat(const Triangles& triangles) {
   return {triangles.data(), static_cast<size_t>(triangles.size())};
@@ -116,7 +116,7 @@ double IncrementalPotential::triangleForces(const Positions& x) {
   parallelFor(contacts_.groupCount(), 1, [&](int g) {
     const std::span<const ContactLanes> contacts = contacts_.group(g);
     const int end = std::min((g + 1) * per_group, static_cast<int>(lanes_.size()));
-    size_t first = 0, last = 0;  // of the block's contacts
+    size_t first = 0, last = 0;  // range of the current block's contacts
     partial_[g] = 0.0;
     for (int block = g * per_group; block < end; ++block, first = last) {
       while (last < contacts.size() && contacts[last].block == block) ++last;
@@ -141,7 +141,8 @@ double IncrementalPotential::blockForces(int block, std::span<const ContactLanes
   const Lanes psi = membrane_.add(F, lanes.rest, stress);
   Lanes energy = psi * lanes.weight;
 
-  // dE/dx of corners 1 and 2: a (stress) D^-T; of corner 0 what keeps the balance.
+  // dE/dx at corners 1 and 2 is weight * stress * D^-T, where D^-1 is `inverse`. The membrane's forces sum to zero,
+  // which gives corner 0.
   const auto force = [&](int k) {
     const Lanes u = lanes.weight * D[2 * k], v = lanes.weight * D[2 * k + 1];
     return Column<Lanes>{stress.u.x * u + stress.v.x * v, stress.u.y * u + stress.v.y * v,
@@ -181,7 +182,7 @@ double IncrementalPotential::hingeDampingForces(const Positions& x) {
 double IncrementalPotential::gradient(const Positions& x, Positions& gradient, StepMotion* motion) {
   const double energy = triangleForces(x) + hingeDampingForces(x);
   const double inverse_h2 = 1.0 / (options_.h * options_.h);
-  const Vec3 fall = options_.h * options_.h * options_.gravity;  // inertial_ has fallen already
+  const Vec3 fall = options_.h * options_.h * options_.gravity;  // inertial_ contains this fall
   const bool damps_bending = !start_bending_.empty();
   parallelFor(static_cast<int>(vertex_sums_.size()), 1, [&](int g) {
     VertexSums sums{};

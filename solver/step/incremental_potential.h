@@ -1,15 +1,21 @@
-// Incremental potential of one backward Euler step: its minimiser is the cloth's next position.
+// Incremental potential of one backward Euler step. The positions that minimise it are the cloth's next positions.
 //
 //   E(x) = 1/(2h^2) |x - y|^2_M + sum_t a_t psi(F_t) + 1/2 xᵀ Q x + sum_samples a_s psi_c(depth) + damping,   J
 //   y    = x_n + h v_n + h^2 g
 //
-//   h    time step, s        g    gravity, m/s^2        Q    bending (bending_matrix.h)
-//   a_t  rest area of a triangle;  a_s  area that a contact sample stands for, m^2
+//   x_n, v_n  positions, m, and velocities, m/s, at the start of the step
+//   h         time step, s
+//   g         gravity, m/s^2
+//   M         diagonal matrix of the vertex masses, kg;  |d|^2_M = dᵀ M d
+//   a_t       weight of a triangle: stiffness scale times rest area, m^2 (cloth.h)
+//   a_s       area that a contact sample stands for, m^2
+//   psi       energy of the membrane (membrane.h);  psi_c  energy of contact (energy/contact.h)
+//   Q         bending matrix (bending_matrix.h)
 //
-// Every minimiser sees the potential through this class alone: so do the Newton methods, which want its Hessian, and
-// the projective ones, for which it has the constant matrix that bounds it.
+// This class is all that a minimiser knows of the potential. Newton's method uses its Hessian; the projective methods
+// use the weights of a constant matrix that bounds the Hessian.
 //
-// Triangles are computed eight side by side (lanes.h), from a structure of arrays laid out once a step.
+// Triangles are computed eight side by side (element.h), from arrays that are laid out once per step.
 #pragma once
 
 #include <span>
@@ -33,43 +39,47 @@ struct StepOptions {
   double contact_stiffness = 3e6;    // N/m^3
 };
 
-/// Twice the kinetic energy of moving within a step, J.
+/// Twice the kinetic energy of a motion that takes one step, |motion|^2_M / h^2, J.
 struct StepMotion {
-  double all = 0.0;     // from x_n to x
-  double forced = 0.0;  // from x_n + h v_n to x: what forces add
+  double all = 0.0;     // whole motion, from x_n to x
+  double forced = 0.0;  // part due to forces, from x_n + h v_n to x
 };
 
 class IncrementalPotential {
  public:
   explicit IncrementalPotential(const Cloth& cloth);
 
-  /// Fixes what a step starts from: y, and the conditions whose rate is damped.  Forgets contacts.
+  /// Starts a step: computes y and the values at the start that damping needs, and removes all contacts.
   void begin(const State& start, const StepOptions& options);
 
   void setContacts(const Contacts& contacts);
+  /// Whether the cloth may touch something in this step.
   bool mayTouch() const { return !contacts_.empty(); }
 
-  /// Gradient dE/dx, n x 3, N, and `motion` to x; returns E, J, up to a constant of the step.
+  /// Computes the gradient dE/dx, n x 3, N, and, if asked for, the `motion` to x. Returns E, J, up to a constant that
+  /// depends on the step alone.
   double gradient(const Positions& x, Positions& gradient, StepMotion* motion = nullptr);
 
-  /// Assembles the Hessian without bending, N/m; `kind` says whether elements are projected to be positive
-  /// semi-definite.  Bending couples second neighbours, which `hessian` has no blocks for: addBendingProduct() adds its
-  /// product with d.  Call hessian() first, which also computes the damping of bending at x.
+  /// Assembles the Hessian without bending, N/m. `kind` says whether elements are projected to be positive
+  /// semi-definite. Also computes the Hessian of bending damping at x, for addBendingProduct().
   void hessian(const Positions& x, HessianKind kind, BlockMatrix& hessian);
+  /// Adds the product of the bending Hessian with d, N, to `product`. It is separate from hessian() because bending
+  /// couples second neighbours, for which a BlockMatrix has no blocks. Call hessian() first.
   void addBendingProduct(const Positions& d, Positions& product);
 
   /// Weights of projective dynamics for the membrane, along warp and weft, N/m (membrane.h).
   Eigen::Vector2d projectiveWeights() const { return membrane_.projectiveWeights(); }
 
-  /// Lumped contact stiffness per vertex at x, N/m: row sums of its Hessian.  With `bound`, an upper bound over the
-  /// whole step: every contact counts as if pressed to the depth at which it stiffens, or deeper where it is deeper.
+  /// Lumped contact stiffness per vertex at x, N/m: row sums of the contact Hessian, as if contact were equally stiff
+  /// in all directions. With `bound`, an upper bound over the whole step: every contact counts as pressed to the depth
+  /// at which it stiffens (`give`), or to its present depth if that is larger.
   void contactDiagonal(const Positions& x, bool bound, std::vector<double>& diagonal);
 
-  /// Contact force on each vertex over a third of the area around it, stretched as at x, Pa: from its own sample and
-  /// its share of those around.
+  /// Contact pressure per vertex, Pa: the contact force on the vertex over a third of the area of its triangles at x.
+  /// The force comes from the vertex's own sample and from its share of the samples on its edges and triangles.
   void contactPressure(const Positions& x, std::vector<double>& pressure);
 
-  /// Twice the kinetic energy of a displacement within the step, J.
+  /// Twice the kinetic energy of a displacement d that takes one step, |d|^2_M / h^2, J.
   double kinetic(const Positions& d) const;
   double totalMass() const;  // kg
 
@@ -83,14 +93,16 @@ class IncrementalPotential {
   const StepOptions& options() const { return options_; }
 
  private:
+  /// Constants of eight triangles side by side.
   struct TriangleLanes {
     int corners[3][kLanes];
-    Lanes inverse[4];  // D^-1, row by row, 1/m
-    Lanes weight;      // of the membrane (cloth.h), m^2; 0 beyond the last triangle
+    Lanes inverse[4];  // inverse of the rest edges, D^-1, row by row, 1/m
+    Lanes weight;      // a_t, m^2; 0 in lanes beyond the last triangle
     RestConditions rest;
 
     TriangleEdges edgesAt(const Positions& x) const;
   };
+  /// Sums over a group of vertices.
   struct VertexSums {
     double energy;  // J
     StepMotion motion;
@@ -101,7 +113,8 @@ class IncrementalPotential {
   double triangleForces(const Positions& x);
   double blockForces(int block, std::span<const ContactLanes> contacts, const Positions& x);
   double hingeDampingForces(const Positions& x);
-  /// Calls add(contact, lane, depth) for each sample that is pressed at x, or (bound) could be, one after the other; m.
+  /// Calls add(contact, lane, depth) for each sample that is pressed at x, one after the other; depth in m. With
+  /// `bound`, for every sample that has a plane, at a depth of at least its `give`.
   template <class Add>
   void forPressed(const Positions& x, bool bound, const Add& add) const {
     int block = 0;
@@ -116,38 +129,39 @@ class IncrementalPotential {
           if (contact.sample[l] >= 0 && depth[l] != 0.0) add(contact, l, depth[l]);
       }
   }
-  /// Calls add(vertex, weight) for the corners of a sample.
+  /// Calls add(vertex, weight) for each corner of the sample's host triangle, with the sample's barycentric weight.
   template <class Add>
   void forCorners(const ContactLanes& contact, int lane, const Add& add) const {
     const double w1 = contact.weight[0][lane], w2 = contact.weight[1][lane], weights[3] = {1.0 - w1 - w2, w1, w2};
     for (int a = 0; a < 3; ++a) add(lanes_[contact.block].corners[a][lane], weights[a]);
   }
-  double stiffness(const ContactLanes& contact, int lane, double depth) const {  // N/m
+  /// Stiffness of a sample at this depth, N/m.
+  double stiffness(const ContactLanes& contact, int lane, double depth) const {
     return contact.area[lane] * contactStiffness(depth, options_.contact_stiffness, contact.give[lane]);
   }
 
   const Cloth& cloth_;
   MembraneEnergy membrane_;
-  int rest_revision_ = -1;  // of the cloth's, that the bending matrix has
+  int rest_revision_ = -1;  // revision of the cloth's rest shape for which the bending matrix was computed
   StepOptions options_;
   Positions start_;                    // x_n
   Positions inertial_;                 // y
-  std::vector<double> start_bending_;  // |b| at the start, where damped
+  std::vector<double> start_bending_;  // |b| of each hinge at the start of the step; empty without damping
   ContactLayout contacts_;
 
   BendingMatrix bending_;
   Incidence triangle_corners_, edge_ends_, hinge_corners_;
-  // Per element, between the loop over elements and the gathering loop over vertices.
+  // Results per element: written by a loop over elements, then gathered by a loop over vertices.
   std::vector<TriangleLanes> lanes_;
-  std::vector<Vec3> corner_force_;     // of triangle t, corner a: corner_force_[3 t + a]; dE/dx, N
-  std::vector<Mat3> contact_hessian_;  // of the samples: a_s dp/d depth n nᵀ, N/m
-  std::vector<char> pressed_;          // whether that is not zero
+  std::vector<Vec3> corner_force_;     // dE/dx at corner a of triangle t, N: corner_force_[3 t + a]
+  std::vector<Mat3> contact_hessian_;  // a_s dp/d(depth) n nᵀ of each sample, N/m
+  std::vector<char> pressed_;          // whether contact_hessian_ of the sample is set; otherwise it counts as zero
   std::vector<FrameHessian> frame_hessian_;
   std::vector<Mat3> hinge_hessian_;
   std::vector<Vec3> hinge_force_;
   double bending_round_off_ = 0.0;       // J
-  std::vector<double> partial_;          // energies, summed in their order
-  std::vector<VertexSums> vertex_sums_;  // of groups of vertices, likewise
+  std::vector<double> partial_;          // energies of groups, added up in a fixed order
+  std::vector<VertexSums> vertex_sums_;  // sums of groups of vertices, added up in a fixed order
 };
 
 }  // namespace ease

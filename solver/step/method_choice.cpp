@@ -7,11 +7,11 @@ namespace ease {
 
 namespace {
 
-constexpr double kMinCostForTrial =
-    12.0;                             // try the other method only on costlier steps (Newton's cheapest step costs 8)
-constexpr double kWeight = 0.25;      // weight of the newest step in the running mean
-constexpr double kOnceWeight = 0.05;  // weight of the newest step in the mean of factorisation costs
-constexpr int kWaitFactor = 4;        // after a lost trial, wait four times as long
+// The other method is tried only if a step costs at least this much, since Newton's cheapest step costs 8.
+constexpr double kMinCostForTrial = 12.0;
+constexpr double kWeight = 0.25;                        // weight of the newest step in the running mean
+constexpr double kOnceWeight = 0.05;                    // weight of the newest step in the mean of factorisation costs
+constexpr int kWaitFactor = 4;                          // after a lost trial, wait four times as long
 constexpr int kMinWaitForNewton = 64, kMaxWait = 4096;  // steps from a lost trial to the next one
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr double kSufficientDecrease = 1e-4;  // share of the decrease predicted
 constexpr double kForcedMotionFactor = 4.0;   // the 4 in the error's denominator (minimiser.h)
 constexpr double kMinSpeed = 1e-3;            // m/s: slower motion counts as this fast, so that cloth at rest converges
 
-/// Squared denominator of the relative error (minimiser.h), over h^2: twice a kinetic energy, J.
+/// Square of the relative error's denominator (minimiser.h) divided by h^2, which is twice a kinetic energy, J.
 double stepKinetic(const IncrementalPotential& potential, const StepMotion& motion) {
   const double least = potential.totalMass() * kMinSpeed * kMinSpeed;
   return std::min(motion.all, kForcedMotionFactor * kForcedMotionFactor * motion.forced) + least;

@@ -1,15 +1,18 @@
-// What the minimisers of the incremental potential share: when to stop, how far to go, what they report.
+// Parts that the minimisers of the incremental potential share: stopping rule, line search and summary.
 //
 //   error = |x - x_min|_M / min(|x - x_n|_M, 4 |x - x_n - h v_n|_M)      relative error of a step
 //
-//   x_min        minimum of the potential, m
-//   |d|_M        norm by the masses: sqrt(sum_i m_i |d_i|^2)
-//   x_n + h v_n  where the step would end without forces, m
+//   x_min        positions that minimise the potential, m
+//   x_n          positions at the start of the step, m
+//   |d|_M        norm weighted by the masses: sqrt(sum_i m_i |d_i|^2)
+//   x_n + h v_n  end of the step if there were no forces, m
 //
-// The second length keeps free fall from counting as converged: cloth that falls fast moves far before any iteration.
-// Newton's correction estimates x_min - x directly.  Other methods' corrections are shorter, most of all along soft
-// directions; they are measured by their decrement sqrt(-g . d).  For Newton's d the decrement is the distance to the
-// minimum in the norm of the Hessian, an upper bound of |d|_M / h.
+// Without the second length, cloth that falls fast would count as converged at once: its motion |x - x_n| is large
+// before any iteration.
+//
+// Newton's correction estimates x_min - x directly. The corrections of the other methods are shorter, most of all along
+// soft directions, so these methods use the decrement sqrt(-g . d) instead (gradient g, correction d). For Newton's d
+// the decrement is the distance to the minimum in the norm of the Hessian, an upper bound of |d|_M / h.
 #pragma once
 
 #include <vector>
@@ -18,6 +21,7 @@
 
 namespace ease {
 
+/// Limits and tolerances at which a minimiser stops.
 struct StopRule {
   int max_iterations = 1;
   double error = 0.0;               // tolerance of the relative error above; 0: not checked
@@ -26,16 +30,17 @@ struct StopRule {
   bool run_all_iterations = false;  // do not stop early; `converged` still says whether the tolerance was met
 };
 
+/// Counts of the work in one minimisation.
 struct MinimiserSummary {
   int iterations = 0;
   int cg_iterations = 0;
   int factorisations = 0;
-  int halvings = 0;  // times that a correction was halved since it raised the potential
+  int halvings = 0;  // number of times a correction was halved because it did not lower the potential enough
   bool converged = false;
 };
 
-/// Positions with the potential, its gradient and how far the step moves the cloth there; pinned vertices have gradient
-/// zero.
+/// Positions, and the potential, its gradient and the motion of the step at these positions. The gradient is zero at
+/// pinned vertices.
 struct Point {
   Positions x, gradient;
   double energy = 0.0;
@@ -43,28 +48,27 @@ struct Point {
   void evaluate(IncrementalPotential& potential, const std::vector<char>& fixed);
 };
 
-/// Largest |dE/dx_i| / m_i, m/s^2.
+/// Largest |dE/dx_i| / m_i over all vertices, m/s^2; zero gradient counts for pinned vertices.
 double residualAcceleration(const IncrementalPotential& potential, const Point& point);
 
-/// Decrement sqrt(-slope) over the error's denominator above; slope = gradient . direction, J.
+/// Decrement sqrt(-slope) divided by the error's denominator over h (see above); slope = gradient . direction, J.
 double relativeDecrement(const IncrementalPotential& potential, const Point& point, double slope);
 
-/// |direction|_M over the error's denominator above.
+/// |direction|_M divided by the error's denominator (see above).
 double relativeLength(const IncrementalPotential& potential, const Point& point, const Positions& direction);
 
-/// Sets the mean of a correction, weighted by mass, to what momentum alone determines where no vertex is pinned and
-/// nothing is near to touch:
+/// Corrects the mean of a correction, weighted by mass, to the value that follows from momentum:
 ///   sum_i m_i d_i = -h^2 sum_i dE/dx_i
-/// since the cloth's own forces cancel in that sum.  In long steps inertia is so small beside these forces that the
-/// round-off of a single-precision factor would otherwise move the whole cloth by metres.  Returns the change of the
-/// slope gradient . direction, J.
+/// This holds because the cloth's inner forces cancel in the sum. In long steps inertia is small beside these forces,
+/// and the round-off of a single-precision factor would otherwise move the whole cloth by metres. Does nothing if a
+/// vertex is pinned or the cloth may touch something. Returns the change of the slope gradient . direction, J.
 double setMeanMotion(const IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
                      Positions& direction);
 
 /// Backtracking line search: tries direction, 1/2 direction, 1/4 direction ... until the potential decreases enough,
 /// and writes that point to `next`; slope = gradient . direction, J.  Where the change of the potential is below
-/// round-off, it accepts a point whose slope has become flatter instead.  Returns the number of halvings, or -1: no
-/// decrease.
+/// round-off, it accepts a point at which the slope is flatter instead. Returns the number of halvings, or -1 if no
+/// point was accepted.
 int searchAlong(IncrementalPotential& potential, const std::vector<char>& fixed, const Point& point,
                 const Positions& direction, double slope, Point& next);
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kLinearTolerance = 1e-2;  // relative; well below the error that remains after one Newton iteration
 constexpr double kMinTrustedRatio = 0.5;   // predict the next correction by the last ratio, but at most halved
-// error <= (1 + 0.5 iterations) |preconditioned residual| in 95 % of steps; iterations: conjugate gradients' in the
-// last solve.
+// error <= (1 + 0.5 iterations) |preconditioned residual| in 95 % of steps, where `iterations` are those of conjugate
+// gradients in the last solve.
 constexpr double kErrorPerIteration = 0.5;
 constexpr int kProjectedSteps = 2;  // iterations with the projected Hessian before each trial of the exact one
 

@@ -1,11 +1,12 @@
 // Newton's method on the incremental potential.
 //
-// Far from the minimum every element's Hessian is projected to be positive (Teran 2005).  Where cloth is compressed
-// that converges linearly only (a rate of .8 was met: fifty iterations for five digits): after two iterations the exact
-// Hessian is used, as long as conjugate gradients meet no negative curvature.
+// In the first two iterations every element's Hessian is projected to be positive semi-definite (Teran 2005), which is
+// safe far from the minimum. But where cloth is compressed, the projected Hessian converges only linearly: at the
+// measured rate of 0.8, five digits take fifty iterations. Later iterations therefore use the exact Hessian, as long as
+// conjugate gradients meet no negative curvature.
 //
-// One iteration from x_n + h v_n is the Baraff-Witkin step (`bw1`): they linearise at x_n, but from there the same work
-// leaves seven times the error.
+// One iteration from x_n + h v_n is the Baraff-Witkin step (`bw1`). Baraff and Witkin linearise at x_n, which leaves
+// seven times the error for equal work.
 #pragma once
 
 #include "solver/step/minimiser.h"
@@ -15,11 +16,11 @@ namespace ease {
 
 class Newton {
  public:
-  /// `ordering`: of the mesh's systems (gradient_system.h).
+  /// `ordering`: elimination order of the vertices (gradient_system.h).
   Newton(const Cloth& cloth, std::span<const int> ordering);
 
-  /// Iterates from `point`, evaluated, and leaves it evaluated.  Throws ComputationError where a system cannot be
-  /// solved or nothing lowers the potential though it is far from its minimum.
+  /// Iterates from `point`, which must be evaluated, and leaves it evaluated. Throws ComputationError if a linear
+  /// system cannot be solved, or if the line search finds no decrease although the minimum is still far.
   MinimiserSummary minimise(IncrementalPotential& potential, const std::vector<char>& fixed, const StopRule& stop,
                             Point& point);
 
@@ -27,6 +28,7 @@ class Newton {
   void forget() { system_.forgetFactor(); }
 
  private:
+  /// Solves for direction_ with the Hessian of this kind; returns whether it could be solved.
   bool solveForDirection(IncrementalPotential& potential, HessianKind kind, const Point& point,
                          MinimiserSummary& summary);
 

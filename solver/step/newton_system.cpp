@@ -9,9 +9,9 @@ namespace ease {
 
 namespace {
 
-constexpr double kFactorCost = 35.0;  // iterations that take about as long as a factor
-constexpr int kMaxIterations = 80;    // with one factor; then a new one
-constexpr int kFewIterations = 8;     // with a factor that is near
+constexpr double kFactorCost = 35.0;  // a factorisation takes about as long as this many iterations
+constexpr int kMaxIterations = 80;    // iterations with one factor before it is renewed
+constexpr int kFewIterations = 8;     // a factor that needs no more iterations than this counts as near
 
 }  // namespace
 
@@ -75,7 +75,7 @@ SolveSummary NewtonSystem::solve(const BlockMatrix& matrix,
   const double goal = tolerance * tolerance * rz;
   for (int since_factor = 0; rz > goal; ++summary.iterations, ++since_factor) {
     if (since_factor == kMaxIterations) {
-      if (summary.factorisations > 0) break;  // as good as round-off allows
+      if (summary.factorisations > 0) break;  // round-off allows no better solution
       if (!renew()) return {summary.iterations, summary.factorisations, false};
       since_factor = 0;
       precondition();

@@ -1,4 +1,4 @@
-// The second derivative of the incremental potential.
+// Second derivative of the incremental potential (incremental_potential.h).
 #include "solver/base/parallel.h"
 #include "solver/step/incremental_potential.h"
 
@@ -33,7 +33,7 @@ void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMa
   const auto addContact = [&](int s, double weight, Mat3& block) {
     if (pressed_[s]) block += weight * contact_hessian_[s];
   };
-  // Second derivative of triangle t's energy by its corners p, q.
+  // Second derivative of triangle t's energy with respect to its corners p and q.
   const auto triangleBlock = [&](int t, int p, int q) -> Mat3 {
     const Mat32 b = shapeGradients(cloth_.restInverse()[t]);
     const FrameHessian& h = frame_hessian_[t];

@@ -10,15 +10,16 @@ namespace ease {
 
 namespace {
 
-// A is factored again once the contact stiffness has changed by more than this share.
+// A is factored again when the contact stiffness has changed by more than this share.
 constexpr double kMaxDrift = 0.5;
 // pd-lbfgs adds this share of the contact stiffness to A; 0, 0.1 and 1 need 2.7, 1.5 and 1.1 times the iterations.
 constexpr double kContactShare = 0.3;
-// error ~ decrement x clamp(0.1 / rate, 2, 60), rate in e-folds per iteration.  Fitted to a shirt in motion and shaken
-// sheets: with a tolerance of 0.05 the true error has a median of 0.02 to 0.04, and nine in ten are below 0.061.
+// error ~ decrement x clamp(0.1 / rate, 2, 60), with the rate in e-folds per iteration. Fitted to a shirt in motion and
+// shaken sheets: with a tolerance of 0.05 the true error has a median of 0.02 to 0.04, and nine in ten are below 0.061.
 constexpr double kMinErrorFactor = 2.0, kErrorFactorTimesRate = 0.1;
 constexpr double kMaxErrorFactor = 60.0;
-// Iterations over which the rate is measured: for the error; for giving up, longer, since new contacts slow a few.
+// Number of iterations over which the rate is measured. Giving up uses the longer window, because new contacts slow
+// down a few iterations.
 constexpr size_t kWindow = 8, kLongWindow = 24;
 
 /// Rate at which the decrements fell over the last `window` iterations, e-folds per iteration; infinite if there are

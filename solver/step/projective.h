@@ -1,21 +1,25 @@
-// Projective dynamics: alternating local projections and one constant linear system (Bouaziz et al. 2014), and the same
-// system as the initial inverse Hessian of L-BFGS (Liu et al. 2017).
+// Projective dynamics. `pd` alternates local projections with one constant linear system (Bouaziz et al. 2014);
+// `pd-lbfgs` uses that system as the initial inverse Hessian of L-BFGS (Liu et al. 2017).
 //
-//   local    p_t      nearest point of each term's set to F_t, in closed form
-//   global   A x = M y / h^2 + sum_t a_t B_t p_t W,     A = M/h^2 + sum_t a_t B_t W B_tᵀ
+//   local    p_t = the point nearest to F_t in the set where the element's energy is zero, in closed form
+//   global   A x = M y / h^2 + sum_t a_t B_t W p_tᵀ,    A = M/h^2 + sum_t a_t B_t W B_tᵀ
 //
-// Since k (F - p) is a term's stress, one such iteration is the correction x - A^-1 dE/dx.  That is how it is computed:
-// from the gradient, which all terms have, whether A knows them or not.  For terms that are distances to a set A is the
-// exact bound and each iteration lowers E.  `pd` takes the correction as it is; `pd-lbfgs` improves it by the secant
-// pairs of the last iterations and searches along it.
+//   F_t    deformation gradient of triangle t, xᵀ B_t         M, y, h, a_t   as in incremental_potential.h
+//   W      diagonal matrix of the weights along warp and weft, N/m (MembraneEnergy::projectiveWeights)
 //
-// A is factored once and again when the rest shape, the time step, damping or the pins change, and when the stiffness
-// of contact has drifted away from what A has on its diagonal.  Plain pd needs an upper bound of the contact stiffness,
-// or it diverges: A then counts every sample as pressed.  pd-lbfgs converges with 0.3 of the present stiffness.
+// An element with energy k/2 |F - p|^2 has the stress k (F - p), so one iteration is the correction x - A^-1 dE/dx. It
+// is computed in this form, because every energy has a gradient, even if it has no part in A. For energies that are
+// squared distances to a set, A is an upper bound of the Hessian and each iteration lowers E. `pd` takes the correction
+// as it is; `pd-lbfgs` improves it with the secant pairs of the last iterations.
 //
-// Tried: L-BFGS on a factor of Newton's matrix instead.  On the scanned shirt of 4,271 vertices it takes 2 to 5
-// iterations for 11 while the factor is of the same step, which costs more than they save; a step later 9 to 14, with
-// halvings: cloth that was compressed then is soft in it.
+// A is factored again when the rest shape, the time step, damping or the pins change, and when the contact stiffness
+// has drifted away from the stiffness on A's diagonal. `pd` diverges without an upper bound of the contact stiffness,
+// so A counts every sample as pressed. `pd-lbfgs` converges with 0.3 of the present stiffness.
+//
+// Tried and dropped: L-BFGS with a factor of Newton's matrix in place of A. On a scanned shirt of 4,271 vertices it
+// takes 2 to 5 iterations instead of 11 if the matrix is factored in the same step, but that costs more than it saves.
+// With the factor of the step before it takes 9 to 14 iterations, with halvings, because the factor is too soft where
+// cloth was compressed.
 #pragma once
 
 #include <vector>
@@ -28,7 +32,7 @@ namespace ease {
 
 class Projective {
  public:
-  /// `ordering`: of the mesh's systems (gradient_system.h).
+  /// `ordering`: elimination order of the vertices (gradient_system.h).
   Projective(const Cloth& cloth, std::span<const int> ordering);
 
   /// Iterates from `point`, which must be evaluated, and leaves it evaluated.  `accelerated`: pd-lbfgs instead of pd.
@@ -42,6 +46,7 @@ class Projective {
   }
 
  private:
+  /// Factors A if its inputs have changed; returns whether it did.
   bool prepare(IncrementalPotential& potential, const std::vector<char>& fixed, bool accelerated, const Positions& x);
   double solveForDirection(const IncrementalPotential& potential, const Point& point);
 
@@ -52,7 +57,7 @@ class Projective {
   bool accelerated_ = false;
   Eigen::Vector2d weights_ = Eigen::Vector2d::Zero();
   std::vector<char> fixed_;
-  std::vector<double> contact_;  // N/m, on A's diagonal
+  std::vector<double> contact_;  // contact stiffness per vertex, N/m
 
   std::vector<double> contact_now_, diagonal_;
   std::vector<Mat2> scaled_inverse_;

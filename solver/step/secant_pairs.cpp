@@ -9,8 +9,9 @@ namespace ease {
 
 namespace {
 
-constexpr int kRows = 1024;  // of a block
+constexpr int kRows = 1024;  // rows of a block
 
+/// A range of rows of an n x 3 array.
 struct Block {
   int begin, rows;
   auto of(Positions& a) const { return a.middleRows(begin, rows); }
@@ -20,7 +21,7 @@ struct Block {
 
 }  // namespace
 
-/// Calls sweep(block, sums) for all blocks of rows; adds up the sums in their order.
+/// Calls sweep(block, sums) for all blocks of rows; adds up the blocks' sums in the order of the blocks.
 template <class Sweep>
 SecantPairs::Sums SecantPairs::sums(int rows, const Sweep& sweep) {
   partial_.resize((rows + kRows - 1) / kRows);
@@ -84,7 +85,7 @@ void SecantPairs::remember(const Positions& x, const Positions& gradient, const 
   });
   const double curvature = sum[kMaxPairs - 1];
   if (!(curvature > 1e-10 * std::sqrt(sum[kMaxPairs] * sum[kMaxPairs + 1]))) {
-    count_ = older;  // the oldest gave way
+    count_ = older;  // the new pair has overwritten the oldest one
     return;
   }
   for (int k = 0; k < older; ++k) product_[slot(k)][next] = sum[k];

@@ -1,10 +1,12 @@
-// L-BFGS's memory: the last few secant pairs, and the two loops around an initial inverse Hessian (Nocedal 1980).
+// Memory of L-BFGS: the last few secant pairs, and the two-loop recursion around an initial inverse Hessian (Nocedal
+// 1980).
 //
-//   s, y   change of position (m) and of gradient (N) over an iteration
+//   s, y   change of position, m, and of gradient, N, over one iteration
 //
-// The loops want one inner product after another with a vector that changes in between.  Here they run on scalars:
-// products with the vector as it was are taken for all pairs in one sweep over memory, those of the pairs with each
-// other are kept, and the changes are applied in one more sweep.  Sums do not depend on the number of threads.
+// The textbook loops compute one inner product after another with a vector that changes in between. Here the loops run
+// on scalars. One sweep over memory computes the products of all pairs with the unchanged vector; the products of the
+// pairs with each other are stored; a second sweep applies all changes to the vector. Sums do not depend on the number
+// of threads.
 #pragma once
 
 #include <array>
@@ -35,13 +37,14 @@ class SecantPairs {
     Positions s, y;
   };
 
-  int slot(int k) const { return (newest_ - k + kMaxPairs) % kMaxPairs; }  // of the k-th newest
+  /// Index in pairs_ of the k-th newest pair.
+  int slot(int k) const { return (newest_ - k + kMaxPairs) % kMaxPairs; }
   template <class Sweep>
   Sums sums(int rows, const Sweep& sweep);
 
   std::array<Pair, kMaxPairs> pairs_;
-  std::array<std::array<double, kMaxPairs>, kMaxPairs> product_;  // s_i . y_j of slots i, j, where i is no newer than j
-  std::array<double, kMaxPairs> alpha_;                           // of the k-th newest
+  std::array<std::array<double, kMaxPairs>, kMaxPairs> product_;  // s_i . y_j by slots i, j; i no newer than j
+  std::array<double, kMaxPairs> alpha_;                           // alpha of the recursion, by k as in slot(k)
   int count_ = 0, newest_ = -1;
   std::vector<Sums> partial_;
 };

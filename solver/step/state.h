@@ -1,4 +1,4 @@
-// Where the cloth is and how it moves.
+// Positions and velocities of the cloth's vertices.
 #pragma once
 
 #include "solver/mesh/triangle_mesh.h"

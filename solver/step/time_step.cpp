@@ -10,14 +10,15 @@ namespace ease {
 
 namespace {
 
-constexpr int kMaxNewtonIterations = 100;  // iterations of a step
+// Upper bounds of the iterations in one minimisation.
+constexpr int kMaxNewtonIterations = 100;
 constexpr int kMaxProjectiveIterations = 1000;
-// In iterations of pd-lbfgs, at 1,000 to 16,000 vertices:
-constexpr double kNewtonCost = 4.0;   // an iteration of Newton's
-constexpr double kCgCost = 2.0;       // one of conjugate gradients in it
-constexpr double kFactorCost = 60.0;  // a factor of its matrix
+// Costs in iterations of pd-lbfgs, measured with 1,000 to 16,000 vertices.
+constexpr double kNewtonCost = 4.0;   // one Newton iteration without its linear solve
+constexpr double kCgCost = 2.0;       // one iteration of conjugate gradients in Newton's method
+constexpr double kFactorCost = 60.0;  // one factorisation of Newton's matrix
 constexpr int kMaxContactRounds = 4;
-constexpr double kStaleDistance = 4e-3;  // m: a vertex that moved this far since contacts were found
+constexpr double kStaleDistance = 4e-3;  // contacts are found again once a vertex has moved this far, m
 
 }  // namespace
 
@@ -53,8 +54,8 @@ void TimeStep::holdPins(const Pins& pins, Positions& x) {
   }
 }
 
-// Vertices that are predicted deeper than a contact gives way start from where it does: from below, Newton's method on
-// a spring that stiffens brings them only a third of the way out.
+/// Lifts each free vertex that is deeper than its contact's `give` up to that depth, as the start of the iteration.
+/// From below, Newton's method on a stiffening spring would move it only a third of the way out per iteration.
 void TimeStep::liftOut(Positions& x) const {
   if (contacts_.planes.empty()) return;
   const auto lift = [&](int i, const ContactPlane& plane) {

@@ -1,14 +1,15 @@
-// One implicit time step of the cloth, by whichever minimiser a scene asks for.
+// One implicit time step of the cloth, by the method that a scene chooses:
 //
 //   bw1        one Newton iteration
-//   newton     Newton to a residual
-//   pd         a number of local/global iterations
-//   pd-lbfgs   the same system as inverse Hessian of L-BFGS, to a relative error
-//   auto       pd-lbfgs or Newton to a relative error, whichever takes less (method_choice.h); pd-lbfgs hands over to
-//              Newton where its error falls too slowly
+//   newton     Newton iterations down to a given residual
+//   pd         a fixed number of local/global iterations of projective dynamics
+//   pd-lbfgs   L-BFGS with the system of `pd` as initial inverse Hessian, down to a given relative error
+//   auto       pd-lbfgs or Newton down to a given relative error, whichever costs less (method_choice.h); pd-lbfgs
+//   hands
+//              over to Newton if its error falls too slowly
 //
-// All minimise the same incremental potential and start at x_n + h v_n.  Contacts are found there, and again where the
-// cloth has ended up far from where they were found.
+// All methods minimise the same incremental potential and start at x_n + h v_n. Contacts are found there; they are
+// found again, and the minimisation repeated, if the cloth has moved far from the positions at which they were found.
 #pragma once
 
 #include <functional>
@@ -24,40 +25,42 @@ namespace ease {
 
 enum class Method { bw1, newton, pd, pd_lbfgs, automatic };
 
-/// Names as a scene has them: bw1, newton, pd, pd-lbfgs, auto.
+/// Names of the methods in scene files: bw1, newton, pd, pd-lbfgs, auto.
 const std::vector<std::string>& methodNames();
 const std::string& nameOf(Method method);
-/// Throws std::out_of_range where there is no such method.
+/// Throws std::out_of_range if no method has this name.
 Method methodNamed(const std::string& name);
 
 struct MethodOptions {
   Method method = Method::automatic;
-  double tolerance = 0.05;  // relative error of a step (minimiser.h): pd-lbfgs, auto; of pd it counts the steps beyond
-  double residual = 1e-2;   // newton: largest residual acceleration, m/s^2
-  int iterations = 10;      // pd
+  // Largest relative error of a step (minimiser.h). pd-lbfgs and auto stop there; for bw1 and pd, steps with a larger
+  // error are only counted (StepSummary::short_of_tolerance).
+  double tolerance = 0.05;
+  double residual = 1e-2;  // newton: largest residual acceleration, m/s^2
+  int iterations = 10;     // pd: number of iterations
 };
 
-/// Vertices held at given positions, exactly.
+/// Vertices that are held exactly at given positions.
 struct Pins {
   std::vector<int> vertices;
   std::vector<Vec3> positions;  // at the end of the step, m
 };
 
-/// Fills a plane for each sample of the cloth (contact.h) at these positions; leaves the vector empty where nothing can
-/// touch.
+/// Finds the contact plane of each sample of the cloth (model/contact.h) at positions x. Leaves the planes empty if
+/// nothing can touch.
 using FindContacts = std::function<void(const Positions& x, Contacts& contacts)>;
 
-/// What a time step, or several, took.
+/// Counts of the work in one time step, or summed over several.
 struct StepSummary {
   long newton_iterations = 0;
   long projective_iterations = 0;
   long cg_iterations = 0;
   long factorisations = 0;
-  long halvings = 0;        // of corrections that would have raised the potential
-  long contact_rounds = 0;  // how often contacts were found
-  long handed_over = 0;     // time steps in which `auto` went from pd-lbfgs to Newton
-  long short_of_tolerance =
-      0;  // time steps that ended before the tolerance was met, by round-off or the iteration limit
+  long halvings = 0;        // number of times a correction was halved because it did not lower the potential enough
+  long contact_rounds = 0;  // number of times contacts were found
+  long handed_over = 0;     // time steps in which `auto` handed over from pd-lbfgs to Newton
+  // Time steps that ended before the tolerance was met, because of round-off or the limit on iterations.
+  long short_of_tolerance = 0;
 
   bool converged() const { return short_of_tolerance == 0; }
   StepSummary& operator+=(const StepSummary& other);
@@ -65,20 +68,21 @@ struct StepSummary {
 
 class TimeStep {
  public:
-  /// The cloth is referred to; its rest shape may change between steps.  `ordering`: of the mesh's systems
-  /// (gradient_system.h).
+  /// Keeps a reference to the cloth, whose rest shape may change between steps. `ordering`: elimination order of the
+  /// vertices (gradient_system.h).
   TimeStep(const Cloth& cloth, const MethodOptions& options, std::span<const int> ordering);
 
-  /// Moves the state by one time step.  Throws ComputationError, with the state as it was, where a system cannot be
-  /// solved.
+  /// Moves the state by one time step. If a system cannot be solved, throws ComputationError and leaves the state
+  /// unchanged.
   StepSummary step(State& state, const StepOptions& options, const Pins& pins, const FindContacts& find_contacts);
 
-  /// Makes the next step depend on its state alone, not on factors and directions kept from earlier ones.
+  /// Makes the next step depend on its state alone, not on factors and secant pairs of earlier steps.
   void forget();
 
   IncrementalPotential& potential() { return potential_; }
 
  private:
+  /// Sets fixed_ and the positions of the pinned vertices.
   void holdPins(const Pins& pins, Positions& x);
   void liftOut(Positions& x) const;
   void minimise(StepSummary& summary);
@@ -89,10 +93,10 @@ class TimeStep {
   IncrementalPotential potential_;
   std::optional<Newton> newton_;
   std::optional<Projective> projective_;
-  MethodChoice choice_;  // auto
+  MethodChoice choice_;  // used by auto
   std::vector<char> fixed_;
   Contacts contacts_;
-  Positions found_at_;
+  Positions found_at_;  // positions at which the contacts were found
   Point point_;
 };
 

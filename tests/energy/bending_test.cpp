@@ -24,7 +24,7 @@ double energyOf(const Cloth& cloth, const Positions& x) {
   return energy;
 }
 
-// Equilateral triangles of edge `edge` over about width x height.
+/// A parallelogram of equilateral triangles, with n by m edges of length `edge`, m.
 TriangleMesh equilateralSheet(int n, int m, double edge) {
   TriangleMesh sheet = makeSheet(n, m, 1.0, 1.0);
   const double row = edge * std::sqrt(3.0) / 2.0;
@@ -52,7 +52,8 @@ TEST_CASE("a flat sheet of any triangles, however turned and stretched in its pl
 }
 
 TEST_CASE("a sheet rolled to a cylinder has the energy of its curvature") {
-  // 1/2 D kappa^2 per area, on equilateral triangles in any direction of rolling; edges cost a strip at the boundary.
+  // The energy is 1/2 D kappa^2 per area for any direction of rolling, if the triangles are equilateral. The tolerance
+  // allows for the boundary, whose edges have no hinge.
   const double D = 2e-3, radius = 1.0;
   const TriangleMesh mesh = equilateralSheet(60, 60, 0.01);
   const Cloth cloth = bendingCloth(mesh, D);

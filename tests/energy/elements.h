@@ -1,4 +1,5 @@
-// The membrane's terms, each as an energy of F with its stress and its second derivative, for tests that hold for all.
+// All elements of the membrane behind one interface (energy, stress and Hessian as functions of F), so that a test can
+// run over all of them.
 #pragma once
 
 #include <functional>
@@ -33,7 +34,7 @@ struct Element {
     P << s.u.x, s.v.x, s.u.y, s.v.y, s.u.z, s.v.z;
     return P;
   }
-  /// Second derivative by (f_u, f_v), 6 x 6.
+  /// Hessian with respect to (f_u, f_v) as one 6 x 6 matrix.
   Eigen::Matrix<double, 6, 6> whole(const Mat32& F, HessianKind kind) const {
     const FrameHessian h = hessian(F, kind);
     Eigen::Matrix<double, 6, 6> H;
@@ -42,7 +43,7 @@ struct Element {
   }
 };
 
-/// Sheared; stretched, about as it was, or compressed.
+/// A sheared deformation gradient; `scale` makes it stretched, about as long as at rest, or compressed.
 inline Mat32 someGradient(double scale) {
   Mat32 F;
   F << 0.9, 0.5, 0.1, 0.8, -0.4, 0.3;

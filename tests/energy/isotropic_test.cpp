@@ -8,7 +8,7 @@
 using namespace ease;
 
 TEST_CASE("the isotropic membrane has the modulus and Poisson ratio of its constants") {
-  // Pulled along u, free across: the stress across vanishes at the width that -nu predicts.
+  // The cloth is pulled along u and free along v. The stress along v must vanish at a strain of -nu times that along u.
   const double mu = 400.0, lambda = 300.0, strain = 1e-6;
   const Element element = elements().back();
   const double nu = lambda / (2.0 * mu + lambda), modulus = 4.0 * mu * (mu + lambda) / (2.0 * mu + lambda);

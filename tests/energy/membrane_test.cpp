@@ -1,4 +1,5 @@
-// What holds for every term of the membrane; what sets one apart: stretch_test, shear_test, isotropic_test.
+// Tests that every element of the membrane must pass. Tests of a single element are in stretch_test, shear_test and
+// isotropic_test.
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -12,10 +13,10 @@ namespace {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// Stretched, as it was, and compressed.
+/// Scales for someGradient(): compressed, about as long as at rest, and stretched.
 const std::vector<double> kScales = {0.4, 1.0, 1.6};
 
-/// Entry k of F moved by e.
+/// Returns F with e added to its entry k.
 Mat32 moved(const Mat32& F, int k, double e) {
   Mat32 result = F;
   result.reshaped()[k] += e;
@@ -55,7 +56,7 @@ TEST_CASE("a membrane's exact Hessian is the derivative of its stress; projected
 }
 
 TEST_CASE("central differences of a membrane's energy and stress err by the square of their step") {
-  Mat32 d;  // somewhere
+  Mat32 d;  // an arbitrary direction
   d << 0.3, -0.7, 0.5, 0.2, 0.6, 0.4;
   for (const Element& element : elements())
     for (const double scale : kScales) {

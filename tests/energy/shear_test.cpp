@@ -14,7 +14,8 @@ TEST_CASE("both shears equal the squared cosine to second order, and the orthogo
     for (const Element& element : {elements()[1], elements()[2]})
       CHECK(element.energy(F) == Approx(0.5 * 200.0 * cosine * cosine).epsilon(angle * angle));
   }
-  // 2 dist^2 = A - sqrt(A^2 - 4 D^2), A = |f_u|^2 + |f_v|^2, D = f_u . f_v.
+  // The squared distance to the nearest matrix with orthogonal columns is dist^2 = (A - sqrt(A^2 - 4 D^2)) / 2, with
+  // A = |f_u|^2 + |f_v|^2 and D = f_u . f_v.
   const Mat32 F = someGradient(1.0);
   const double A = F.squaredNorm(), D = F.col(0).dot(F.col(1));
   CHECK(elements()[1].energy(F) == Approx(0.5 * 200.0 * (A - std::sqrt(A * A - 4.0 * D * D))).epsilon(1e-12));

@@ -26,7 +26,7 @@ struct Bent {
     material.bending = kStiffness;
     return material;
   }
-  /// Energy of all rows, J; adds the product to `product`.
+  /// Adds the matrix times `at` to `product` and returns the energy of all rows, J.
   double add(const Positions& at, Positions& product) const {
     double energy = 0.0;
     for (int i = 0; i < at.rows(); ++i) {
@@ -42,7 +42,7 @@ struct Bent {
 
 TEST_CASE("the bending matrix's energy and product are the sums over hinges") {
   const Bent bent;
-  Positions product = Positions::Ones(bent.x.rows(), 3), expected = product;  // it adds to what is there
+  Positions product = Positions::Ones(bent.x.rows(), 3), expected = product;  // not zero, because addRow() adds to it
   double energy = 0.0;
   for (const Hinge& hinge : bent.cloth.hinges()) {
     const double w = kStiffness * hinge.inverse_area;
@@ -69,7 +69,7 @@ TEST_CASE("the diagonal of its row bounds is no less than the bending matrix") {
   double least = 1.0;
   for (unsigned seed = 10; seed < 30; ++seed) {
     Positions d = randomPositions(static_cast<int>(bent.x.rows()), seed);
-    // The roughest displacements that there are come nearest to the bound: the matrix applied again and again.
+    // Rough displacements come nearest to the bound. Repeated multiplication by the matrix makes d rougher.
     for (int k = 0; k < 20; ++k) {
       Positions product = Positions::Zero(d.rows(), 3);
       const double energy = bent.add(d, product);
@@ -87,7 +87,8 @@ TEST_CASE("what rounding may do to the energy is more than what a shift does to 
   const Bent bent;
   Positions unused = Positions::Zero(bent.x.rows(), 3), shifted = bent.x;
   const double energy = bent.add(bent.x, unused), round_off = bent.matrix.roundOff(bent.x);
-  for (const double shift : {0.25, 0.3, -0.7}) {  // within a metre: positions round by less than their differences
+  for (const double shift :
+       {0.25, 0.3, -0.7}) {  // stays within a metre of the origin, where positions have little round-off
     shifted = bent.x.array() + shift;
     CHECK(std::abs(bent.add(shifted, unused) - energy) < round_off);
   }

@@ -9,7 +9,7 @@ using namespace ease;
 
 namespace {
 
-constexpr int kGroup = 2 * kLanes;  // triangles: of the sheet's 60, four groups, the last not full
+constexpr int kGroup = 2 * kLanes;  // the sheet's 60 triangles make four groups, the last of which is not full
 
 struct Samples {
   TriangleMesh mesh = makeSheet(6, 5, 0.3, 0.2, 0.2);
@@ -18,7 +18,7 @@ struct Samples {
   int vertices = cloth.vertexCount(), edges = static_cast<int>(cloth.topology().edges.size());
   int count = vertices + edges + cloth.triangleCount();
 
-  /// In the order of contact.h.
+  /// Position of sample s: the vertices come first, then the edge midpoints, then the centroids (samples.h).
   Vec3 place(int s) const {
     if (s < vertices) return x.row(s);
     if (s < vertices + edges) {
@@ -52,7 +52,7 @@ struct Samples {
   }
 };
 
-/// Calls visit(contact, lane) for all that the layout holds.
+/// Calls visit(contact, lane) for every sample in the layout.
 template <class Visit>
 void forAll(const ContactLayout& layout, const Visit& visit) {
   for (int g = 0; g < layout.groupCount(); ++g)
@@ -155,7 +155,7 @@ TEST_CASE("a lane without a sample is never deep and has no area") {
     CHECK(lanes.sample[l] == -1);
     CHECK(depth[l] == 0.0);
     CHECK(lanes.area[l] == 0.0);
-    CHECK(lanes.give[l] > 0.0);  // divided by
+    CHECK(lanes.give[l] > 0.0);  // not zero, because depth is divided by it
   }
   CHECK(depth[3] > 0.5);
 }

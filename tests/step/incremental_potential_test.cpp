@@ -10,7 +10,7 @@ using namespace ease;
 
 namespace {
 
-/// Force of every vertex, dE/dx, of a step from `start` at x, without gravity.
+/// Gradient dE/dx at x and energy of a step from `start`, without gravity.
 struct Forces {
   Positions gradient;
   double energy;
@@ -24,7 +24,7 @@ struct Forces {
   }
 };
 
-/// Turned and shifted.
+/// Rotates and shifts the positions.
 Positions movedRigidly(const Positions& x) {
   const Mat3 R = Eigen::AngleAxisd(0.4, Vec3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
   Positions moved = x * R.transpose();
@@ -91,13 +91,13 @@ TEST_CASE("a rigid motion meets no force: no membrane, no bending, no damping") 
   const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), everyTerm());
   const double force = 800.0 * 0.12, size = 0.12;  // N, m: what a stretch of 1 would take
   const StepOptions options;
-  // Bent first, so that bending has something to turn.
+  // The sheet is bent before the motion, so that the test includes bending forces.
   Positions bent = mesh.positions;
   for (int i = 0; i < bent.rows(); ++i) bent(i, 2) = 3.0 * bent(i, 0) * bent(i, 0);
   const Positions moved = movedRigidly(bent), origin = movedRigidly(Positions::Zero(1, 3));
   const Mat3 R = (movedRigidly(Mat3::Identity()).rowwise() - origin.row(0)).transpose();
 
-  // Velocities such that the moved positions are exactly the inertial ones: whatever force is left is internal.
+  // With these velocities the moved positions equal the inertial ones, so inertia adds no force.
   const Forces before(cloth, atRest(bent), bent), after(cloth, {bent, (moved - bent) / options.h}, moved);
   REQUIRE(before.gradient.norm() > 1e-3);
   CHECK((after.gradient - before.gradient * R.transpose()).norm() < 1e-12 * force);

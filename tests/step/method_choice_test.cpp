@@ -11,7 +11,8 @@ struct Sum {
   int newton_steps = 0;
 };
 
-/// Steps that cost pd-lbfgs and Newton as much as these, and Newton `factor` once in ten.
+/// Records steps that cost `pd_lbfgs` or `newton`, by the method chosen. Every tenth step also costs Newton `factor`
+/// for a factorisation.
 Sum walk(MethodChoice& choice, int steps, double pd_lbfgs, double newton, double factor = 0.0) {
   Sum sum;
   for (int n = 0; n < steps; ++n) {
@@ -65,6 +66,6 @@ TEST_CASE("pd-lbfgs is given as long as Newton has cost lately, its factors incl
   const int first = choice.patience();
   choice.recordCost(30.0, 0.0, 0.0);
   CHECK(choice.patience() == first);
-  for (int n = 0; n < 40; ++n) choice.recordCost(100.0, 300.0, 60.0);  // steps that were handed over
+  for (int n = 0; n < 40; ++n) choice.recordCost(100.0, 300.0, 60.0);  // pd-lbfgs handed over in these steps
   CHECK(choice.patience() == Approx(360).margin(1));
 }

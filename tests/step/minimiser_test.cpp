@@ -8,7 +8,7 @@ using namespace ease;
 
 namespace {
 
-/// A sheet that moves as a whole: nothing acts but inertia and gravity, and the potential is a parabola.
+/// A sheet that moves without deforming. Only inertia and gravity act, so the potential is a parabola.
 struct Falling {
   TriangleMesh mesh = makeSheet(4, 3, 0.2, 0.15);
   Cloth cloth{mesh, -Vec3::UnitY(), Material()};
@@ -25,7 +25,7 @@ struct Falling {
     potential.begin(start, options);
     moveTo(Vec3::Zero());
   }
-  /// As far as this from where the step starts, m.
+  /// Moves the point to the start of the step plus `shift`, m.
   void moveTo(const Vec3& shift) {
     point.x = mesh.positions + all(shift);
     point.evaluate(potential, fixed);
@@ -38,7 +38,7 @@ struct Falling {
   }
 };
 
-const Vec3 kFall(0.0, -9.81 * 0.0025 * 0.0025, 0.0);  // of the first step
+const Vec3 kFall(0.0, -9.81 * 0.0025 * 0.0025, 0.0);  // fall in the first step, m
 
 }  // namespace
 
@@ -68,12 +68,12 @@ TEST_CASE("a correction is measured by how far the step moves the cloth, or by w
   Falling from_rest(Vec3::Zero(), Vec3::Zero());
   from_rest.moveTo(moved);
   CHECK(relativeLength(from_rest.potential, from_rest.point, from_rest.all(direction)) == Approx(0.02).epsilon(1e-6));
-  // At 3.6 m/s the step would have moved it by 9 mm without any force: these add one.
+  // At 3.6 m/s the step moves the sheet by 9 mm without any force, so of these 10 mm forces add 1 mm.
   Falling fast({3.6, 0.0, 0.0}, Vec3::Zero());
   fast.moveTo(moved);
   CHECK(relativeLength(fast.potential, fast.point, fast.all(direction)) == Approx(0.2 / 4.0).epsilon(1e-4));
   for (const Falling* falling :
-       {&from_rest, &fast}) {  // for an inertia alone, the decrement of Newton's step is its length
+       {&from_rest, &fast}) {  // with inertia alone, decrement and length of Newton's step are equal
     const double slope = -falling->potential.kinetic(falling->all(direction));
     CHECK(relativeDecrement(falling->potential, falling->point, slope) ==
           Approx(relativeLength(falling->potential, falling->point, falling->all(direction))).epsilon(1e-12));
@@ -96,7 +96,8 @@ TEST_CASE("a search goes all the way where that is downhill, else halves until i
     return fallen.point.energy;
   }();
   for (const int halvings : {0, 1, 2, 5}) {
-    const Positions direction = falling.all(std::pow(2.0, halvings) * kFall);  // to the minimum, so many times over
+    const Positions direction =
+        falling.all(std::pow(2.0, halvings) * kFall);  // 2^halvings times the way to the minimum
     CHECK(falling.search(direction, next) == halvings);
     CHECK((next.x - falling.point.x - falling.all(kFall)).norm() < 1e-12);
     CHECK(next.energy == Approx(floor).margin(1e-9 * falling.point.energy));

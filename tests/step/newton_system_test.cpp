@@ -9,7 +9,8 @@ using namespace ease;
 
 namespace {
 
-// Graph Laplacian on a sheet in three dimensions, scaled, with some mass; `seed` disturbs the weights.
+/// Matrix of springs along the edges of a sheet, with some mass on the diagonal. `disturbance` is the relative
+/// variation of the springs' stiffness.
 BlockMatrix springs(const TriangleMesh& sheet, double disturbance) {
   const Topology topology = buildTopology(sheet, "sheet");
   BlockMatrix matrix(static_cast<int>(sheet.positions.rows()), topology.edges);

@@ -15,7 +15,7 @@ Material woven() {
   return material;
 }
 
-/// A sheet, stretched and disturbed, two of its vertices pinned.
+/// A time step of a sheet that is stretched and disturbed; two of its vertices are pinned.
 struct Step {
   TriangleMesh mesh = makeSheet(7, 6, 0.2, 0.2, 0.2);
   Cloth cloth{mesh, Vec3(0.2, -1.0, 0.0), woven()};
@@ -42,7 +42,7 @@ struct Step {
 TEST_CASE("by the exact Hessian every Newton iteration leaves a tenth of the residual or less, down to rounding") {
   Step s;
   std::vector<double> left;
-  for (int iterations = 3; iterations <= 7; ++iterations) {  // the first two are by the projected one
+  for (int iterations = 3; iterations <= 7; ++iterations) {  // the first two use the projected Hessian
     s.restart();
     Newton(s.cloth, s.ordering).minimise(s.potential, s.fixed, {iterations}, s.point);
     left.push_back(residualAcceleration(s.potential, s.point));
@@ -93,7 +93,8 @@ TEST_CASE("Newton's method stops at the error or at the residual acceleration as
     CHECK(summary.iterations >= before);
     before = summary.iterations;
   }
-  CHECK(newton.minimise(s.potential, s.fixed, {60, 0.0, 1e9}, s.point).iterations == 0);  // there already
+  CHECK(newton.minimise(s.potential, s.fixed, {60, 0.0, 1e9}, s.point).iterations ==
+        0);  // the start meets this tolerance
 }
 
 TEST_CASE("after forgetting, Newton's method is to the last bit what it is when new") {

@@ -8,7 +8,7 @@ using namespace ease;
 
 namespace {
 
-/// The whole second derivative at x, bending too, 3n x 3n, column by column.
+/// Hessian at x including bending as one dense matrix, 3n x 3n, computed column by column.
 Eigen::MatrixXd wholeHessian(PotentialScene& scene, const Positions& x, HessianKind kind) {
   const int n = scene.cloth.vertexCount();
   BlockMatrix hessian(n, scene.cloth.topology().edges);
@@ -25,7 +25,7 @@ Eigen::MatrixXd wholeHessian(PotentialScene& scene, const Positions& x, HessianK
   return whole;
 }
 
-/// Product of the second derivative at x, bending too, with d.
+/// Product of the Hessian at x, including bending, with d.
 Positions timesHessian(PotentialScene& scene, const Positions& x, HessianKind kind, const Positions& d) {
   BlockMatrix hessian(scene.cloth.vertexCount(), scene.cloth.topology().edges);
   scene.potential.hessian(x, kind, hessian);
@@ -64,11 +64,11 @@ TEST_CASE("the exact Hessian is the derivative of the gradient, term by term and
 
 TEST_CASE("where nothing is compressed, projecting the Hessian leaves out a little of the shear alone") {
   Material material = everyTerm();
-  material.damping_stretch = material.damping_shear = 0.0;  // whose targets lie on either side of the lengths
+  material.damping_stretch = material.damping_shear = 0.0;  // damping can act as compression
   const bool sheared = GENERATE(false, true);
   if (!sheared) material.shear = material.damping_bending = 0.0;
   PotentialScene scene(material);
-  const Positions x = 1.5 * scene.x;  // stretched everywhere by more than it is disturbed
+  const Positions x = 1.5 * scene.x;  // stretch exceeds the disturbance everywhere
   for (unsigned seed = 10; seed < 13; ++seed) {
     const Positions d = randomPositions(static_cast<int>(x.rows()), seed);
     const Positions expected = differenceOfGradient(scene, x, d),

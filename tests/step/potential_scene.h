@@ -1,4 +1,4 @@
-// A cloth that feels every term of the incremental potential at once, for tests of its derivatives.
+// A scene in which every term of the incremental potential acts, for tests of its derivatives.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace ease {
 
-/// No term of the potential is zero.
+/// A material for which no term of the potential is zero.
 inline Material everyTerm() {
   Material material;
   material.bending = 1e-3;
@@ -25,7 +25,8 @@ struct Term {
   bool touches = false;
 };
 
-/// Each term of the potential without the others, but for masses a billionth of what they are; and all together.
+/// Each term of the potential alone, and all terms together. A term alone still has inertia, but with a billionth of
+/// the usual mass.
 inline std::vector<Term> terms() {
   Material nothing;
   nothing.density = 1.5e-10;
@@ -50,7 +51,7 @@ inline std::vector<Term> terms() {
   return all;
 }
 
-/// A sheet in motion, stretched here and compressed there, with some samples in contact if it `touches`.
+/// A moving sheet, stretched in some places and compressed in others. If it `touches`, some samples are in contact.
 struct PotentialScene {
   TriangleMesh mesh = makeSheet(6, 5, 0.12, 0.1, 0.2);
   Cloth cloth;

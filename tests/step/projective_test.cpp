@@ -38,10 +38,11 @@ struct Step {
   }
 };
 
-// Nearest F with warp and weft of length 1, and nearest F with orthogonal columns.
+/// Nearest matrix whose columns have length 1.
 Mat32 unitColumns(const Mat32& F) {
   return F.colwise().normalized();
 }
+/// Nearest matrix with orthogonal columns.
 Mat32 orthogonalColumns(const Mat32& F) {
   const double A = F.squaredNorm(), D = F.col(0).dot(F.col(1));
   const double l = (A - std::sqrt(A * A - 4.0 * D * D)) / (2.0 * D);
@@ -60,7 +61,8 @@ TEST_CASE("one iteration is a local projection and a global solve, written out")
   s.point.evaluate(s.potential, s.fixed);
   const StepOptions options;
 
-  // Global step by the system's targets: the weights along warp and weft go into the columns of D^-1 and of the target.
+  // The global step solves a GradientSystem. The weights along warp and weft are put into the columns of D^-1 and of
+  // the targets.
   const Eigen::Vector2d weights =
       Eigen::Vector2d(material.stretch_warp, material.stretch_weft).array() + 2.0 * material.shear;
   GradientSystem system(s.cloth.vertexCount(), s.cloth.triangles(), s.ordering);

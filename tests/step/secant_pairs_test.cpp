@@ -13,7 +13,7 @@ double product(const Positions& a, const Positions& b) {
   return a.cwiseProduct(b).sum();
 }
 
-/// The two loops as they are written down in textbooks, around `scale` times the identity.
+/// The two-loop recursion as in textbooks, with `scale` times the identity as initial inverse Hessian.
 struct TwoLoops {
   struct Pair {
     Positions s, y;
@@ -34,7 +34,7 @@ struct TwoLoops {
   }
 };
 
-/// Gradient of a quadratic energy with a spectrum from 1 to 10.
+/// Gradient of a quadratic energy whose Hessian has eigenvalues from 1 to 10.
 Positions gradientAt(const Positions& x) {
   Positions gradient = x;
   for (int i = 0; i < x.rows(); ++i) gradient.row(i) *= 1.0 + 9.0 * i / x.rows();

@@ -24,7 +24,7 @@ inline TimeStep makeStep(const Cloth& cloth, const MethodOptions& options) {
   return TimeStep(cloth, options, systemOrdering(cloth.vertexCount(), cloth.triangles()));
 }
 
-/// Boundary held apart, so that there is a single minimum.
+/// Pins the boundary, stretched by 5 %, so that the potential has a single minimum.
 inline Pins tautPins(const Cloth& cloth) {
   Pins pins;
   for (const std::vector<int>& loop : cloth.topology().boundary_loops)

@@ -11,7 +11,7 @@ using namespace ease;
 
 namespace {
 
-/// Alternates from triangle to triangle between soft and stiff.
+/// Stiffness scales that alternate between soft and stiff from triangle to triangle.
 std::vector<double> softAndStiff(int triangles) {
   std::vector<double> scale;
   for (int t = 0; t < triangles; ++t) scale.push_back(t % 3 == 0 ? 0.2 : 1.0 + 0.1 * (t % 7));
@@ -99,7 +99,7 @@ TEST_CASE("soft cloth sewn to stiff cloth stretches as springs in a row do, by e
   options.gravity.setZero();
   for (int k = 0; k < 30; ++k)
     step.step(state, options, pins, [](const Positions&, Contacts& contacts) { contacts.planes.clear(); });
-  // Both halves carry the same tension: the soft one takes 4/5 of 0.1 m.
+  // Both halves carry equal tension, so the soft one takes 4/5 of the total elongation of 0.1 m.
   for (int i = 0; i < sheet.positions.rows(); ++i)
     if (std::abs(sheet.positions(i, 0) - 0.2) < 1e-9) CHECK(state.positions(i, 0) == Approx(0.22).margin(1e-5));
 }

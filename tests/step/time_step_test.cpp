@@ -15,7 +15,7 @@ MethodOptions tight(Method method) {
   return {method, 1e-9, 1e-9, 3000};
 }
 
-// Floor at y = 0, for the vertices of a cloth.
+/// Finds contacts of the cloth's vertices with a floor at y = 0.
 FindContacts floorFor(const Cloth& cloth) {
   return [&cloth](const Positions& x, Contacts& contacts) {
     contacts.planes.assign(x.rows() + cloth.topology().edges.size() + cloth.triangleCount(), {});
@@ -39,7 +39,7 @@ TEST_CASE("free fall is what backward Euler makes of it") {
   const Vec3 moved = n * options.h * v0 + 0.5 * options.gravity * options.h * options.h * n * (n + 1);
   Positions expected = mesh.positions;
   expected.rowwise() += moved.transpose();
-  // bw1 stops after one linear system, solved to 1 %; its correction here is h^2 g.
+  // bw1 stops after one linear system, solved to a tolerance of 1 %; its correction is h^2 g in this test.
   const double bound = method == Method::bw1 ? 1e-8 : 1e-12;
   CHECK((state.positions - expected).cwiseAbs().maxCoeff() < bound);
 }
@@ -76,7 +76,8 @@ TEST_CASE("pinned vertices are where they were told to be, exactly, and may be c
 
 TEST_CASE("a hanging strip stretches by its own weight as it should") {
   const Method method = GENERATE(Method::bw1, Method::newton, Method::pd_lbfgs, Method::automatic);
-  // Zero Poisson ratio: u(X) = rho g / k (L X - X^2/2); the weft is free, shear does nothing.
+  // A strip of Poisson's ratio zero that hangs from its top edge is displaced by u(X) = rho g / k (L X - X^2/2). The
+  // weft is free and shear does not act.
   const double length = 0.5, width = 0.1;
   TriangleMesh mesh = makeSheet(4, 20, width, length);
   mesh.positions.col(1) = mesh.positions.col(1).array() - length;  // top edge at y = 0, hanging down
@@ -150,7 +151,7 @@ TEST_CASE("a state that is not finite is an error, and stays as it was") {
 }
 
 TEST_CASE("all methods run to tolerance find the same minimum, after one step and after a hundred") {
-  // Taut, and of terms that projective dynamics reproduces exactly; bending is quadratic and exact in both.
+  // The cloth is taut and has only energies that projective dynamics reproduces exactly.
   const TriangleMesh mesh = makeSheet(8, 8, 0.3, 0.3);
   Material material = softCloth();
   material.membrane = GENERATE(Membrane::woven, Membrane::isotropic);

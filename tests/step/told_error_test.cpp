@@ -1,4 +1,4 @@
-// What a method says of the error of its steps, beside the error that they have.
+// Compares a method's own statement whether a step converged with the true error of the step.
 #include <catch2/catch.hpp>
 
 #include "tests/step/soft_sheet.h"
@@ -9,10 +9,10 @@ namespace {
 
 struct ToldStep {
   StepSummary summary;
-  double error;  // relative, against Newton to round-off
+  double error;  // relative error; the reference is Newton's method down to round-off
 };
 
-/// Steps of a taut sheet that was thrown into motion, each from where the last one should have ended.
+/// Steps of a taut sheet in motion. Each starts from the exact end of the step before.
 std::vector<ToldStep> toldSteps(const Material& material, double h, const MethodOptions& options, int steps) {
   const TriangleMesh mesh = makeSheet(12, 12, 0.3, 0.3);
   const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), material);
@@ -50,7 +50,8 @@ TEST_CASE("auto keeps to the tolerance that is asked of it") {
   const double tolerance = GENERATE(0.05, 1e-3);
   double error = 0.0;
   for (const ToldStep& step : toldSteps(withStretch(stiffness), h, {Method::automatic, tolerance}, 12)) {
-    CHECK((step.summary.converged() || stiffness > 1e5));  // there rounding ends some, and is told
+    CHECK(
+        (step.summary.converged() || stiffness > 1e5));  // round-off ends some of the stiffest steps, which is reported
     error += step.error / 12;
   }
   INFO("stiffness " << stiffness << " N/m, h " << h << " s, tolerance " << tolerance);
@@ -63,7 +64,7 @@ TEST_CASE("pd does its iterations, and says whether they were enough") {
       toldSteps(withStretch(GENERATE(2e3, 1e5)), 1.0 / 60.0, {Method::pd, 0.05, 1e-2, iterations}, 6);
   CHECK(steps.front().summary.converged() == (iterations == 1000));
   for (const ToldStep& step : steps) {
-    CHECK(step.summary.projective_iterations <= iterations);  // fewer where rounding ends it
+    CHECK(step.summary.projective_iterations <= iterations);  // fewer if round-off ends the step
     INFO("error " << step.error);
     CHECK((!step.summary.converged() || step.error < 0.05));
   }
