@@ -14,7 +14,7 @@ namespace ease {
 namespace {
 
 // A longer motion is assumed to be a typing error: at 100 steps per second it would take more than a day.
-constexpr double kMostTimeSteps = 1e7;
+constexpr double kMaxTimeSteps = 1e7;
 
 BodyScene readBody(const TomlTable& table) {
   table.allow({"poses", "builtin", "steps", "match"});
@@ -148,7 +148,7 @@ SolverScene readSolver(const TomlTable& table, bool has_body) {
   if (!has_body && table.has("steps_per_pose")) table.refuse("steps_per_pose", "steps, since the scene has no [body]");
   if (!has_body && !table.has("steps")) table.refuse("steps", "how many time steps a scene without a [body] lasts");
   solver.steps_per_pose = table.integer("steps_per_pose", solver.steps_per_pose, 1, 10000);
-  solver.steps = table.integer("steps", solver.steps, 1, static_cast<int>(kMostTimeSteps));
+  solver.steps = table.integer("steps", solver.steps, 1, static_cast<int>(kMaxTimeSteps));
   solver.gravity = readVec3(table, "gravity", solver.gravity, 1000.0, "m/s^2");
   solver.threads = table.integer("threads", solver.threads, 0, 1024);
   return solver;
@@ -199,9 +199,9 @@ void checkLength(const TomlTable& root, const Scene& scene) {
     steps = intervals * scene.body->steps * scene.solver.steps_per_pose;
   }
   if (scene.adaption) steps = steps * scene.adaption->cycles + scene.adaption->settle;
-  if (steps <= kMostTimeSteps) return;
+  if (steps <= kMaxTimeSteps) return;
   root.table(scene.body ? "body" : "solver")
-      ->refuse("steps", fmt::format("at most {:.0f} time steps in all, found {:.0f}", kMostTimeSteps, steps));
+      ->refuse("steps", fmt::format("at most {:.0f} time steps in all, found {:.0f}", kMaxTimeSteps, steps));
 }
 
 }  // namespace

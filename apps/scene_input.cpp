@@ -23,12 +23,12 @@ namespace ease {
 
 namespace {
 
-constexpr double kLowestPerson = 0.4;          // m: a newborn, curled up
-constexpr double kTallestPerson = 2.6;         // m: arms raised
-constexpr double kFarthestGarment = 0.5;       // m: distance between garment and body
-constexpr double kDeepestGarment = 0.001;      // m inside the body: less may come from coarse meshes
-constexpr double kLargestLimit = 0.5;          // stretch limit; no cloth stands more, 1.08 for 8 % is an error
-constexpr double kLeastProjectedGrain = 1e-6;  // length of a unit grain vector in a triangle's plane
+constexpr double kLowestPerson = 0.4;        // m: a newborn, curled up
+constexpr double kTallestPerson = 2.6;       // m: arms raised
+constexpr double kFarthestGarment = 0.5;     // m: distance between garment and body
+constexpr double kDeepestGarment = 0.001;    // m inside the body: less may come from coarse meshes
+constexpr double kLargestLimit = 0.5;        // stretch limit; no cloth stands more, 1.08 for 8 % is an error
+constexpr double kMinProjectedGrain = 1e-6;  // length of a unit grain vector in a triangle's plane
 
 std::filesystem::path besideScene(const Scene& scene, const std::string& file) {
   return (scene.file.parent_path() / file).lexically_normal();
@@ -169,7 +169,7 @@ void checkGrain(const Scene& scene, const TriangleMesh& garment) {
     const Vec3 b = garment.positions.row(garment.triangles(t, 1));
     const Vec3 c = garment.positions.row(garment.triangles(t, 2));
     const Vec3 normal = doubleAreaNormal(a, b, c).normalized();
-    if (normal.cross(grain).norm() >= kLeastProjectedGrain) continue;
+    if (normal.cross(grain).norm() >= kMinProjectedGrain) continue;
     throw InputError(
         fmt::format("{}: [garment] grain = [{:g}, {:g}, {:g}]: the normal of triangle {} of {} is parallel to it: "
                     "expected a grain that has a direction in every triangle",

@@ -18,7 +18,7 @@ constexpr int kPlain = 8;  // plain iterations before Chebyshev's weights are ap
 // rho is measured over the last kWindow of at most kMeasured iterations, which end when the correction is shorter than
 // kSmall times the first one.
 constexpr size_t kMeasured = 150, kWindow = 20;
-constexpr double kSmall = 1e-8, kMostRate = 1.0 - 1e-6;
+constexpr double kSmall = 1e-8, kMaxRate = 1.0 - 1e-6;
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void AcceleratedPd::measureRate() {
   point_ = start;
   const size_t last = lengths.size() - 1, window = std::min(last, kWindow);
   rate_ = window > 0 ? std::pow(lengths[last] / lengths[last - window], 1.0 / static_cast<double>(window)) : 0.0;
-  rate_ = std::min(rate_, kMostRate);
+  rate_ = std::min(rate_, kMaxRate);
 }
 
 void AcceleratedPd::anderson() {

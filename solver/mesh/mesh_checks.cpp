@@ -9,7 +9,7 @@
 namespace ease {
 namespace {
 
-constexpr double kLeastRelativeArea = 1e-12;
+constexpr double kMinRelativeArea = 1e-12;
 
 /// Triangle areas are compared to the squared diagonal of the box around all vertices, m^2.
 double squaredDiagonal(const Positions& positions) {
@@ -87,7 +87,7 @@ void checkFinite(const Positions& positions, const std::string& name) {
 
 void checkGeometry(const TriangleMesh& mesh, const std::string& name) {
   checkFinite(mesh.positions, name);
-  const double least_area = kLeastRelativeArea * squaredDiagonal(mesh.positions);
+  const double least_area = kMinRelativeArea * squaredDiagonal(mesh.positions);
   for (int t = 0; t < mesh.triangles.rows(); ++t) {
     const auto v = mesh.triangles.row(t);
     if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {

@@ -31,9 +31,9 @@ constexpr bool kSanitized = true;
 constexpr bool kSanitized = false;
 #endif
 constexpr unsigned kHang = kSanitized ? 600 : 120;  // s, also on a machine with much else to do
-constexpr rlim_t kMostMemory = rlim_t{8} << 30;     // bytes of address space; sanitizers take more
+constexpr rlim_t kMaxMemory = rlim_t{8} << 30;      // bytes of address space; sanitizers take more
 constexpr int kNotTried = 99;                       // exit code
-constexpr int kMostSteps = 80, kMostVertices = 1000;
+constexpr int kMaxSteps = 80, kMaxVertices = 1000;
 constexpr double kSmallestVoxel = 2e-3, kShortestEdge = 0.01;  // m
 
 std::string contentOf(const std::filesystem::path& file) {
@@ -49,9 +49,9 @@ bool isSmall(const std::filesystem::path& file) {
     long steps = timeStepsOfMotion(replaySchedule(scene));
     if (scene.adaption) steps = steps * scene.adaption->cycles + scene.adaption->settle;
     if (const auto& tools = scene.garment.tools)
-      if (tools->resolution > kMostVertices || (tools->edge_length > 0.0 && tools->edge_length < kShortestEdge))
+      if (tools->resolution > kMaxVertices || (tools->edge_length > 0.0 && tools->edge_length < kShortestEdge))
         return false;
-    return steps <= kMostSteps && scene.collision.voxel >= kSmallestVoxel && scene.solver.iterations <= 1000;
+    return steps <= kMaxSteps && scene.collision.voxel >= kSmallestVoxel && scene.solver.iterations <= 1000;
   } catch (const InputError&) {
     return true;
   }
@@ -121,7 +121,7 @@ int CommandFuzz::inDirectory() const {
   leadTo("stdout.txt", STDOUT_FILENO);
   leadTo("stderr.txt", STDERR_FILENO);
   if (!isSmall("scene.toml")) return kNotTried;
-  const rlimit memory{kMostMemory, kMostMemory};
+  const rlimit memory{kMaxMemory, kMaxMemory};
   if (!kSanitized) ::setrlimit(RLIMIT_AS, &memory);
   std::vector<std::string> words = {"ease"};
   words.insert(words.end(), kind_.arguments.begin(), kind_.arguments.end());
