@@ -69,7 +69,6 @@ void BodyContacts::recordUse(PassRecord& record) const {
   record.times.interpolation = body_.times().interpolation_s - times_before_.interpolation_s;
   record.times.level_set = body_.times().level_set_s - times_before_.level_set_s;
   record.voxels_on_demand = body_.voxelsOnDemand() - voxels_before_;
-  record.level_set_MB = static_cast<double>(body_.levelSetBytes()) / 1e6;
   record.contact = finder_.rescues();
 }
 

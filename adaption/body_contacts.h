@@ -50,7 +50,7 @@ class BodyContacts {
   /// Makes what follows independent of earlier calls.
   void forget() { finder_.discardHistory(); }
 
-  /// Writes what the body has cost since the start, and what had to be rescued.
+  /// Writes the time that the body has cost since the start, and what had to be rescued.
   void recordUse(PassRecord& record) const;
 
  private:

@@ -66,7 +66,7 @@ void Run::run(const RunWatch& watch) {
     tell(moment, watch);
     if (watch.on_step) watch.on_step(moment);
   }
-  if (contacts_) contacts_->recordUse(record_);
+  if (contacts_) record_.level_set_MB = static_cast<double>(input_.body->levelSetBytes()) / 1e6;
 }
 
 void Run::begin(const RunWatch& watch) {
