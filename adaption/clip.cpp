@@ -18,26 +18,6 @@ constexpr double kGoalShare = 0.6;            // strain that it grows to
 constexpr double kHardening = 0.25;           // added to both shares once cloth has hardened fully
 constexpr double kGrowthUntilHardened = 0.7;  // growth above 1 at which that is so
 
-/// Averages the growth of each triangle with that of the triangles across its edges.
-void smooth(const Cloth& cloth, std::vector<Mat2>& growth) {
-  std::vector<Mat2> smoothed(growth.size());
-  for (int pass = 0; pass < kSmoothingPasses; ++pass) {
-    parallelFor(cloth.triangleCount(), 512, [&](int t) {
-      Mat2 sum = growth[t];
-      int count = 1;
-      for (int corner = 0; corner < 3; ++corner) {
-        const Edge& edge = cloth.topology().edges[cloth.topology().triangle_edges(t, corner)];
-        const int other = edge.triangleAcross(t);
-        if (other < 0) continue;
-        sum += growth[other];
-        ++count;
-      }
-      smoothed[t] = sum / count;
-    });
-    growth.swap(smoothed);
-  }
-}
-
 }  // namespace
 
 StretchGoal stretchGoal(double limit, double growth) {
@@ -51,8 +31,7 @@ bool StretchClip::clip(const Cloth& cloth, const std::vector<Stretch>& stretch, 
   std::atomic<int> fully_grown = 0;
   parallelFor(cloth.triangleCount(), 512, [&](int t) {
     const Stretch& s = stretch[t];
-    const Mat2 to_first = cloth.first().edges[t] * cloth.restInverse()[t];
-    const double grown = 1.0 / (to_first * s.direction).norm();
+    const double grown = grownAlong(cloth, t, s.direction);
     const StretchGoal goal = stretchGoal(limit_, grown);
     growth[t].setIdentity();
     if (s.sigma_1 <= goal.act_above) return;
@@ -63,10 +42,10 @@ bool StretchClip::clip(const Cloth& cloth, const std::vector<Stretch>& stretch, 
     grows = true;
     const double g1 = std::clamp(s.sigma_1 / goal.grow_to, 1.0, kMaxGrowthAtATime);
     const double g2 = std::clamp(s.sigma_2 / goal.grow_to, 1.0, kMaxGrowthAtATime);
-    growth[t] = g2 * Mat2::Identity() + (g1 - g2) * s.direction * s.direction.transpose();
+    growth[t] = growthTensor(g1, g2, s.direction);
   });
   fully_grown_ = fully_grown;
-  if (grows) smooth(cloth, growth);
+  if (grows) smoothGrowth(cloth, kSmoothingPasses, growth);
   return grows;
 }
 

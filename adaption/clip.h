@@ -19,12 +19,9 @@
 
 #include <vector>
 
-#include "adaption/stretch_measure.h"
+#include "adaption/growth.h"
 
 namespace ease {
-
-/// Upper bound of growth: length over first length.  Fitting a body needs less.
-constexpr double kMaxGrowth = 3.0;
 
 class StretchClip {
  public:

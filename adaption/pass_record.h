@@ -29,6 +29,8 @@ struct PassTimes {
   double level_set = 0.0;      // on the thread beside the steps
   double adaption = 0.0;       // measuring, clipping, stitching
   double output = 0.0;         // frames and checkpoints
+
+  PassTimes& operator+=(const PassTimes& other);
 };
 
 struct PassRecord {

@@ -61,7 +61,7 @@ void Run::run(const RunWatch& watch) {
   for (const Moment& moment : timeline(settings_.schedule, done())) {
     if (watch.interrupted && *watch.interrupted) break;
     step(moment);
-    if (moment.measured) measure(moment);
+    if (moment.measured) measure(moment, watch);
     if (moment.adapts) adapt();
     tell(moment, watch);
     if (watch.on_step) watch.on_step(moment);
@@ -79,7 +79,7 @@ void Run::begin(const RunWatch& watch) {
             input_.body ? input_.body->triangles() : Triangles());
   if (resumed_from_) return;
   const Moment start = startMoment(settings_.schedule);
-  measure(start);
+  measure(start, watch);
   tell(start, watch);
 }
 
@@ -115,12 +115,13 @@ void Run::stepPart(const Moment& moment, int part) {
   contacts_->deepen(record_.penetration);
 }
 
-void Run::measure(const Moment& moment) {
+void Run::measure(const Moment& moment, const RunWatch& watch) {
   const Stopwatch stopwatch(record_.times.adaption);
   measureStretch(cloth_, state_.positions, stretch_);
   const double limit = settings_.limit.value_or(std::numeric_limits<double>::infinity());
-  record_.stretch.add(stretchStatistics(firstStretches(stretch_), limit), moment.pose);
+  record_.stretch.add(momentStatistics(stretch_, limit), moment.pose);
   record_.final_speed_m_s = state_.velocities.rowwise().norm().maxCoeff();
+  if (watch.on_stretch) watch.on_stretch(stretch_);
   if (!contacts_) return;
   contacts_->measure(contacts_->bodyAt(moment.done), state_.positions);
   if (moment.done.all > 0) contacts_->deepen(record_.penetration);

@@ -60,7 +60,8 @@ struct Snapshot {
 
 /// Who watches a run.  Functions may be empty; those of a moment are called in this order.
 struct RunWatch {
-  std::function<void(const Snapshot&)> on_frame;  // the moment is written
+  std::function<void(const std::vector<Stretch>&)> on_stretch;  // the moment was measured
+  std::function<void(const Snapshot&)> on_frame;                // the moment is written
   std::function<void(const RunState&)> on_checkpoint;
   std::function<void(const Moment&)> on_step;      // after every time step
   const std::atomic<bool>* interrupted = nullptr;  // the run ends before the next time step once this is true
@@ -86,7 +87,7 @@ class Run {
   void begin(const RunWatch& watch);
   void step(const Moment& moment);
   void stepPart(const Moment& moment, int part);
-  void measure(const Moment& moment);
+  void measure(const Moment& moment, const RunWatch& watch);
   void adapt();
   void tell(const Moment& moment, const RunWatch& watch);
   Snapshot snapshot(const Moment& moment);

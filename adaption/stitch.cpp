@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kIterations = 10;
 constexpr int kRescaleIterations = 100;  // more, since it is done once and starts further from the minimum
+constexpr int kEmbeddingIterations = 300;
 constexpr double kNearness = 1e-3;       // share of a vertex's diagonal entry; keeps parts that do not grow in place
 
 /// Cosine of the angle by which the mesh is bent across an edge.
@@ -83,16 +84,28 @@ void Stitcher::rescale(Cloth& cloth, const std::vector<double>& scales) {
   fitWanted(cloth, kRescaleIterations);
 }
 
+Positions Stitcher::embed(const Cloth& cloth) {
+  wanted_ = cloth.restEdges();
+  x_ = cloth.restPositions();
+  for (int k = 0; k < kEmbeddingIterations; ++k) {
+    anchors_ = x_;
+    iterate(cloth);
+  }
+  return x_;
+}
+
+void Stitcher::iterate(const Cloth& cloth) {
+  parallelFor(cloth.triangleCount(), 512, [&](int t) {
+    const Mat32 R = nearestRotation(edgeMatrix(x_, cloth.triangles(), t) * wanted_[t].inverse());
+    targets_[t] = R * wanted_[t] * reference_inverse_[t];
+  });
+  system_.solve(targets_, anchors_, x_);
+}
+
 void Stitcher::fitWanted(Cloth& cloth, int iterations) {
   const int m = cloth.triangleCount();
   anchors_ = x_ = cloth.restPositions();
-  for (int k = 0; k < iterations; ++k) {
-    parallelFor(m, 512, [&](int t) {
-      const Mat32 R = nearestRotation(edgeMatrix(x_, cloth.triangles(), t) * wanted_[t].inverse());
-      targets_[t] = R * wanted_[t] * reference_inverse_[t];
-    });
-    system_.solve(targets_, anchors_, x_);
-  }
+  for (int k = 0; k < iterations; ++k) iterate(cloth);
   parallelFor(m, 512, [&](int t) {
     const Mat32 edges = edgeMatrix(x_, cloth.triangles(), t);
     rest_edges_[t] = nearestRotation(edges * wanted_[t].inverse()).transpose() * edges;

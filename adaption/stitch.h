@@ -32,11 +32,16 @@ class Stitcher {
   /// shape.
   void rescale(Cloth& cloth, const std::vector<double>& scales);
 
+  /// Computes positions of the vertices at which the edges have the lengths of the cloth's flat rest triangles as
+  /// nearly as a surface in space can, starting from its present positions; m.
+  Positions embed(const Cloth& cloth);
+
   /// D' of each triangle, m: the whole state of the stitcher, which restore() sets.
   const std::vector<Mat2>& wanted() const { return wanted_; }
   void restore(const std::vector<Mat2>& wanted) { wanted_ = wanted; }
 
  private:
+  void iterate(const Cloth& cloth);
   void fitWanted(Cloth& cloth, int iterations);
 
   GradientSystem system_;

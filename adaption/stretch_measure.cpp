@@ -42,6 +42,20 @@ StretchStatistics stretchStatistics(std::vector<double> values, double limit) {
   return s;
 }
 
+bool isCrumpled(const Stretch& stretch, double limit) {
+  return stretch.sigma_1 > 1.0 + limit && stretch.sigma_2 < 1.0 &&
+         std::max(stretch.warp, stretch.weft) <= 1.0 + 0.5 * limit;
+}
+
+StretchStatistics momentStatistics(const std::vector<Stretch>& stretch, double limit) {
+  StretchStatistics s = stretchStatistics(firstStretches(stretch), limit);
+  const auto crumpled =
+      std::count_if(stretch.begin(), stretch.end(), [&](const Stretch& one) { return isCrumpled(one, limit); });
+  s.taut_share_over_limit = s.share_over_limit;
+  if (!stretch.empty()) s.taut_share_over_limit -= static_cast<double>(crumpled) / static_cast<double>(stretch.size());
+  return s;
+}
+
 std::vector<double> firstStretches(const std::vector<Stretch>& stretch) {
   std::vector<double> values(stretch.size());
   std::transform(stretch.begin(), stretch.end(), values.begin(), [](const Stretch& s) { return s.sigma_1; });

@@ -24,11 +24,20 @@ void measureStretch(const Cloth& cloth, const Positions& x, std::vector<Stretch>
 /// Summary of a set of stretches.
 struct StretchStatistics {
   double max = 0.0, p99 = 0.0;
-  double share_over_limit = 0.0;  // of the triangles, 0 to 1
+  double share_over_limit = 0.0;       // of the triangles, 0 to 1
+  double taut_share_over_limit = 0.0;  // those of them that are taut, not crumpled
 };
 
 /// Summarises one stretch per triangle; the share counts those above 1 + limit.
 StretchStatistics stretchStatistics(std::vector<double> values, double limit);
+
+/// Whether a triangle over the limit is crumpled and not taut: it is sheared and compressed across, sigma_2 < 1, while
+/// neither its warp nor its weft is stretched by more than half the limit.  More cloth would not relieve it: its
+/// wrinkles are finer than the triangles can follow.
+bool isCrumpled(const Stretch& stretch, double limit);
+
+/// Summarises the larger principal stretch of all triangles at one moment.
+StretchStatistics momentStatistics(const std::vector<Stretch>& stretch, double limit);
 
 /// The larger principal stretch sigma_1 of each triangle.
 std::vector<double> firstStretches(const std::vector<Stretch>& stretch);

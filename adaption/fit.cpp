@@ -1,0 +1,122 @@
+#include "adaption/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "adaption/stitch.h"
+#include "solver/base/joined.h"
+
+namespace ease {
+
+namespace {
+
+constexpr double kDisturbance = 1e-5;  // m: of the start of the check
+constexpr int kMaxTightenings = 4;
+constexpr double kTightening = 0.1;  // share of the limit by which the margin is widened at a time
+constexpr double kGain = 0.7;        // a pass gains where its share over the limit is below this times the best before
+constexpr int kPassesWithoutGain = 3;  // after that many with the widest margin the fit ends
+
+double areaOf(const Cloth& cloth) {
+  return std::accumulate(cloth.restAreas().begin(), cloth.restAreas().end(), 0.0);
+}
+
+/// The start, each coordinate moved by at most the disturbance, differently from its neighbours'.
+Positions disturbed(const Positions& start) {
+  Positions x = start;
+  for (int k = 0; k < x.size(); ++k) x.data()[k] += kDisturbance * std::sin(1.0 + 12.9898 * k);
+  return x;
+}
+
+}  // namespace
+
+Fit::Fit(const RunSettings& settings, const FitSettings& fit, const RunInput& input, Cloth& cloth)
+    : settings_(settings), fit_(fit), input_(input), cloth_(cloth), demand_(*settings.limit) {
+  cloth_.setRest(RestShape(cloth_.first()));
+  first_area_ = areaOf(cloth_);
+}
+
+void Fit::run(const FitWatch& watch) {
+  if (!state_.next_rest.empty()) setMetric(state_.next_rest);
+  do {
+    while (!state_.over && !isInterrupted(watch)) pass(watch);
+    if (isInterrupted(watch)) return;
+  } while (!check(watch) && !isInterrupted(watch));
+}
+
+Margin Fit::margin() const {
+  Margin margin;
+  margin.act_above -= kTightening * state_.tightenings;
+  margin.goal -= kTightening * state_.tightenings;
+  return margin;
+}
+
+void Fit::pass(const FitWatch& watch) {
+  RunWatch run_watch = watch.of_pass ? watch.of_pass(static_cast<int>(state_.passes.size()) + 1) : RunWatch();
+  run_watch.interrupted = watch.interrupted;
+  run_watch.on_stretch = [&](const std::vector<Stretch>& stretch) { demand_.add(cloth_, stretch, margin()); };
+  Run run(settings_, input_, cloth_);
+  run.run(run_watch);
+  if (isInterrupted(watch)) return;
+  FitPass done{run.record(), areaOf(cloth_) / first_area_};
+  done.record.fully_grown = demand_.fullyGrown();
+  state_.passes.push_back(done);
+  if (state_.passes.size() == 1) state_.first_end = run.state().positions;
+  chooseNext();
+  if (watch.on_pass) watch.on_pass(state_);
+}
+
+/// Chooses the rest shape of the next pass, or ends the passes.
+void Fit::chooseNext() {
+  const int now = static_cast<int>(state_.passes.size()) - 1;
+  const double best_before = now == 0 ? INFINITY : share(state_.best);
+  if (share(now) <= best_before) {
+    state_.best = now;
+    state_.best_rest = cloth_.restEdges();
+  }
+  const bool gains = share(now) < kGain * best_before;
+  if (!gains && state_.tightenings < kMaxTightenings) ++state_.tightenings;
+  const bool ends_by_itself = state_.tightenings == kMaxTightenings && now - state_.best >= kPassesWithoutGain;
+  state_.over = share(now) <= fit_.target || now + 1 >= fit_.max_passes || ends_by_itself;
+  if (!state_.over) state_.over = !demand_.letOut(cloth_);
+  state_.next_rest = cloth_.restEdges();
+}
+
+/// Embeds and checks the best rest shape.  Returns false where the check missed the target and passes are left, which
+/// then start from what this rest shape asked for.
+bool Fit::check(const FitWatch& watch) {
+  setMetric(state_.best_rest);
+  Stitcher stitcher(cloth_, systemOrdering(cloth_.vertexCount(), cloth_.triangles()));
+  cloth_.setRest({stitcher.embed(cloth_), state_.best_rest});
+  result_.embedding = metricError(cloth_, cloth_.restPositions());
+
+  RunWatch run_watch = watch.of_check ? watch.of_check() : RunWatch();
+  run_watch.interrupted = watch.interrupted;
+  run_watch.on_stretch = [&](const std::vector<Stretch>& stretch) { demand_.add(cloth_, stretch, margin()); };
+  RunInput input = input_;
+  input.start = disturbed(input_.start);
+  Run run(settings_, input, cloth_);
+  run.run(run_watch);
+  if (isInterrupted(watch)) return true;
+  result_.check = run.record();
+  result_.check_end = run.state().positions;
+
+  const double worse = std::max(share(state_.best), result_.check.stretch.overall.share_over_limit);
+  result_.target_met = worse <= fit_.target;
+  const int passes = static_cast<int>(state_.passes.size());
+  if (result_.target_met) {
+    result_.reason = "the target is met";
+    return true;
+  }
+  const bool passes_left = share(state_.best) <= fit_.target && passes < fit_.max_passes;
+  if (passes_left && demand_.letOut(cloth_)) {
+    state_.over = false;
+    state_.next_rest = cloth_.restEdges();
+    return false;
+  }
+  result_.reason = passes >= fit_.max_passes ? joined("all ", passes, " passes were made")
+                                             : std::string("the share over the limit no longer fell");
+  return true;
+}
+
+}  // namespace ease

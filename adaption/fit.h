@@ -1,0 +1,94 @@
+// Fits the rest shape to the whole motion of the body, in passes.
+//
+//   pass 1       carries the cloth once through the motion on its first rest shape
+//   let out      the rest shape grows as all moments of the pass ask for (growth_demand.h)
+//   pass 2 ...   the same again, until the share of triangles over the limit is at most the target, or no longer falls
+//   embedding    a surface in space with the lengths of the chosen metric (rest_metric.h)
+//   check        a last pass on the rest shape chosen, from a start that is disturbed by a hundredth of a millimetre
+//
+// Every pass verifies the rest shape that the pass before it let out, so that nothing is computed only to verify. Where
+// cloth crumples, the smallest disturbance changes its folds: the pass of the rest shape chosen and the check are two
+// draws from what it may do, and the worse of them counts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "adaption/growth_demand.h"
+#include "adaption/rest_metric.h"
+#include "adaption/run.h"
+
+namespace ease {
+
+struct FitSettings {
+  double target = 0.001;  // share of the triangles that may be over the limit at the worst moment
+  int max_passes = 14;
+};
+
+struct FitPass {
+  PassRecord record;
+  double area_ratio = 1.0;  // area of the rest shape in this pass over that of the first
+};
+
+/// Enough to go on after a pass as if the fit had not stopped there.
+struct FitState {
+  std::vector<FitPass> passes;
+  Positions first_end;          // of the garment at the end of the first pass, m
+  int best = 0;                 // the pass with the smallest share over the limit
+  std::vector<Mat2> best_rest;  // flat rest edges of that pass, m
+  std::vector<Mat2> next_rest;  // of the next pass, m
+  int tightenings = 0;          // how often the margin was widened (fit.cpp)
+  bool over = false;            // no pass is left to do
+};
+
+struct FitResult {
+  PassRecord check;     // of the rest shape chosen, from a disturbed start
+  Positions check_end;  // of the garment at its end, m
+  bool target_met = false;
+  std::string reason;     // why the passes ended, in words
+  MetricError embedding;  // of the rest shape chosen
+};
+
+/// Who watches a fit.  Functions may be empty.
+struct FitWatch {
+  std::function<RunWatch(int pass)> of_pass;     // who watches a pass, from 1
+  std::function<RunWatch()> of_check;            // called before the check, again where another check follows
+  std::function<void(const FitState&)> on_pass;  // after each pass: a later fit may go on from here
+  const std::atomic<bool>* interrupted = nullptr;
+};
+
+class Fit {
+ public:
+  /// `settings.limit` must be set; the passes follow `settings.schedule`, without adaption on the way.
+  Fit(const RunSettings& settings, const FitSettings& fit, const RunInput& input, Cloth& cloth);
+
+  /// Goes on from there.  Must come before run().
+  void resume(const FitState& from) { state_ = from; }
+
+  /// Fits the cloth's rest shape.  Where it is interrupted, or throws ComputationError as Run::run() does, the cloth
+  /// has the rest shape of the pass that was not finished.
+  void run(const FitWatch& watch);
+
+  const FitState& state() const { return state_; }
+  const FitResult& result() const { return result_; }
+
+ private:
+  bool isInterrupted(const FitWatch& watch) const { return watch.interrupted && *watch.interrupted; }
+  void pass(const FitWatch& watch);
+  void chooseNext();
+  bool check(const FitWatch& watch);
+  double share(int pass) const { return state_.passes[pass].record.stretch.overall.share_over_limit; }
+  Margin margin() const;
+  void setMetric(const std::vector<Mat2>& edges) { cloth_.setRest({cloth_.restPositions(), edges}); }
+
+  const RunSettings settings_;
+  const FitSettings fit_;
+  const RunInput& input_;
+  Cloth& cloth_;
+  double first_area_;  // m^2
+  GrowthDemand demand_;
+  FitState state_;
+  FitResult result_;
+};
+
+}  // namespace ease

@@ -1,0 +1,44 @@
+// What all moments of a pass ask of the rest shape: the smallest growth of every triangle that makes each of them
+// comfortable.
+//
+//   F = U diag(sigma_i) Vᵀ asks for G = V diag(max(1, sigma_i / goal)) Vᵀ   where sigma_1 is above a threshold
+//
+// after Wolff et al. 2022.  Goal and threshold lie below 1 + limit by a margin, so that the limit also holds between
+// the measured moments and in a motion that differs a little.  The smallest growth that is at least as large as the
+// tensors of all moments is found moment by moment (smallestAboveBoth()), so that no pose counts more than another and
+// hardly anything depends on their order.
+#pragma once
+
+#include <vector>
+
+#include "adaption/growth.h"
+
+namespace ease {
+
+/// Strains, as shares of the limit: cloth that is stretched above `act_above` grows until it is stretched to `goal`.
+struct Margin {
+  double act_above = 0.7, goal = 0.5;
+};
+
+class GrowthDemand {
+ public:
+  /// `limit`: largest comfortable strain, delta > 0.
+  explicit GrowthDemand(double limit) : limit_(limit) {}
+
+  /// Adds what a moment asks for.
+  void add(const Cloth& cloth, const std::vector<Stretch>& stretch, const Margin& margin);
+
+  /// Gives the cloth the metric that the moments asked for, averaged over neighbours (rest_metric.h), and forgets the
+  /// moments.  Returns whether any triangle grew.
+  bool letOut(Cloth& cloth);
+
+  /// Number of triangles that were over the limit in a moment although they have grown as far as they may (kMaxGrowth).
+  int fullyGrown() const;
+
+ private:
+  double limit_;
+  std::vector<Mat2> growth_;
+  std::vector<char> fully_grown_;  // 0 or 1
+};
+
+}  // namespace ease
