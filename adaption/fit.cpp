@@ -12,9 +12,9 @@ namespace ease {
 namespace {
 
 constexpr double kDisturbance = 1e-5;  // m: of the start of the check
-constexpr int kMaxTightenings = 4;
-constexpr double kTightening = 0.1;  // share of the limit by which the margin is widened at a time
-constexpr double kGain = 0.7;        // a pass gains where its share over the limit is below this times the best before
+constexpr int kMaxTightenings = 2;     // more of them made more cloth crumple, and more triangles exceed the limit
+constexpr double kTightening = 0.1;    // share of the limit by which the margin is widened at a time
+constexpr double kGain = 0.7;  // a pass gains where its share over the limit is below this times the best before
 constexpr int kPassesWithoutGain = 3;  // after that many with the widest margin the fit ends
 
 double areaOf(const Cloth& cloth) {

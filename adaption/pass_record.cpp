@@ -25,4 +25,28 @@ PassTimes& PassTimes::operator+=(const PassTimes& other) {
   return *this;
 }
 
+PassRecord& PassRecord::operator+=(const PassRecord& later) {
+  steps += later.steps;
+  settle_steps += later.settle_steps;
+  adaptions += later.adaptions;
+  fully_grown = later.fully_grown;
+  substeps = later.substeps;
+  const int moments = stretch.moments + later.stretch.moments;
+  stretch.add(later.stretch.overall, -1);
+  stretch.moments = moments;
+  stretch.poses = later.stretch.poses;
+  penetration.vertices = std::max(penetration.vertices, later.penetration.vertices);
+  penetration.edge_midpoints = std::max(penetration.edge_midpoints, later.penetration.edge_midpoints);
+  penetration.centroids = std::max(penetration.centroids, later.penetration.centroids);
+  final_speed_m_s = later.final_speed_m_s;
+  contact_stiffness = later.contact_stiffness;
+  solver += later.solver;
+  contact.held += later.contact.held;
+  contact.limited += later.contact.limited;
+  voxels_on_demand += later.voxels_on_demand;
+  level_set_MB = std::max(level_set_MB, later.level_set_MB);
+  times += later.times;
+  return *this;
+}
+
 }  // namespace ease

@@ -48,6 +48,10 @@ struct PassRecord {
   long voxels_on_demand = 0;  // that no level set had foreseen
   double level_set_MB = 0.0;
   PassTimes times;
+
+  /// Adds another pass: sums of counts and times, the largest stretch and depth of both, and what the later one found
+  /// at its end.
+  PassRecord& operator+=(const PassRecord& later);
 };
 
 }  // namespace ease

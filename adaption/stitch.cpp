@@ -14,7 +14,7 @@ namespace {
 constexpr int kIterations = 10;
 constexpr int kRescaleIterations = 100;  // more, since it is done once and starts further from the minimum
 constexpr int kEmbeddingIterations = 300;
-constexpr double kNearness = 1e-3;       // share of a vertex's diagonal entry; keeps parts that do not grow in place
+constexpr double kNearness = 1e-3;  // share of a vertex's diagonal entry; keeps parts that do not grow in place
 
 /// Cosine of the angle by which the mesh is bent across an edge.
 double bendCosine(const Cloth& cloth, const Positions& x, const Edge& edge) {

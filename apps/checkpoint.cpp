@@ -17,7 +17,7 @@ namespace ease {
 
 namespace {
 
-constexpr std::string_view kKind = "ease checkpoint ", kVersion = "5\n";
+constexpr std::string_view kKind = "ease checkpoint ", kVersion = "6\n";
 
 // Size of the file's header: kind, version, and the fingerprint of everything that follows, which is the members.
 constexpr size_t kHeader = kKind.size() + kVersion.size() + sizeof(std::uint64_t);
@@ -35,6 +35,12 @@ struct Writer {
     const std::uint64_t count = values.size();
     number(count);
     raw(values.data(), count * sizeof(T));
+  }
+  template <class T, class Item>
+  void list(const std::vector<T>& items, const Item& item) {
+    const std::uint64_t count = items.size();
+    number(count);
+    for (const T& one : items) item(one);
   }
   template <class Rows>
   void rows(const Rows& x) {
@@ -67,12 +73,51 @@ struct Reader {
     values.resize(count(sizeof(T)));
     raw(values.data(), values.size() * sizeof(T));
   }
+  template <class T, class Item>
+  void list(std::vector<T>& items, const Item& item) {
+    items.resize(count(1));
+    for (T& one : items) item(one);
+  }
   template <class Rows>
   void rows(Rows& x) {
     x.resize(static_cast<long>(count(3 * sizeof *x.data())), 3);
     raw(x.data(), x.size() * sizeof *x.data());
   }
 };
+
+template <class Bytes, class R>
+void recordMembers(Bytes& bytes, R& r) {
+  bytes.number(r.steps);
+  bytes.number(r.settle_steps);
+  bytes.number(r.adaptions);
+  bytes.number(r.fully_grown);
+  bytes.number(r.substeps);
+  bytes.number(r.stretch.overall);
+  bytes.number(r.stretch.moments);
+  bytes.array(r.stretch.poses);
+  bytes.number(r.penetration);
+  bytes.number(r.final_speed_m_s);
+  bytes.number(r.contact_stiffness);
+  bytes.number(r.solver);
+  bytes.number(r.contact);
+  bytes.number(r.voxels_on_demand);
+  bytes.number(r.level_set_MB);
+  bytes.number(r.times);
+}
+
+template <class Bytes, class F>
+void fitMembers(Bytes& bytes, F& fit) {
+  bytes.list(fit.passes, [&](auto& pass) {
+    recordMembers(bytes, pass.record);
+    bytes.number(pass.area_ratio);
+  });
+  bytes.rows(fit.first_end);
+  bytes.number(fit.best);
+  bytes.array(fit.best_rest);
+  bytes.array(fit.next_rest);
+  bytes.number(fit.tightenings);
+  bytes.number(fit.over);
+}
 
 template <class Bytes, class C>
 void members(Bytes& bytes, C& c) {
@@ -95,6 +140,7 @@ void members(Bytes& bytes, C& c) {
   bytes.array(c.paint);
   bytes.array(c.run.wanted_edges);
   bytes.array(c.run.pins);
+  fitMembers(bytes, c.fit);
 }
 
 }  // namespace

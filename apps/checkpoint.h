@@ -17,7 +17,9 @@ namespace ease {
 
 struct Checkpoint {
   RunState run;
-  // Fingerprints of the poses that the body has reached, and of the pose that it is moving to (resume.h).
+  FitState fit;  // where the rest shape is fitted in passes; `run` is then at the start of the motion
+  // Fingerprints of the poses that the body has reached, and of the pose that it is moving to (resume.h); after a pass
+  // those of the whole motion.
   std::vector<std::uint64_t> poses_met;
   // Timing of the motion; a resumed run must use the same values.
   double time_step_s = 0.0;

@@ -58,11 +58,16 @@ void printSummary(const Scene& scene, const SceneInput& input) {
     fmt::print("            each in {} parts, since the body moves {:.2g} mm in it\n", parts,
                1e3 * runInput(scene, input, nullptr).body_motion);
   if (const auto& adaption = scene.adaption) {
-    fmt::print("  adaption  principal stretch at most {:g}, every {} time steps, {} through the motion{}{}\n",
-               1.0 + adaption->limit, adaption->every,
-               adaption->cycles == 1 ? "once" : fmt::format("{} times", adaption->cycles),
-               adaption->settle > 0 ? fmt::format(", then {} time steps more", adaption->settle) : "",
-               adaption->verify ? ", verified" : "");
+    const std::string motion = fmt::format(
+        "{} through the motion{}", adaption->cycles == 1 ? "once" : fmt::format("{} times", adaption->cycles),
+        adaption->settle > 0 ? fmt::format(", then {} time steps more", adaption->settle) : "");
+    if (fitsInPasses(scene))
+      fmt::print(
+          "  adaption  principal stretch at most {:g} in all but {:g} of the triangles, at most {} passes, each {}\n",
+          1.0 + adaption->limit, adaption->fit.target, adaption->fit.max_passes, motion);
+    else
+      fmt::print("  adaption  principal stretch at most {:g}, every {} time steps, {}{}\n", 1.0 + adaption->limit,
+                 adaption->every, motion, adaption->verify ? ", verified" : "");
   }
   fmt::print("ok\n");
 }
@@ -140,9 +145,7 @@ ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interru
     const SceneInput input = readWithWarnings(scene, interrupted, checkpoint ? &checkpoint->start : nullptr);
     substepsOf(scene, input);  // throws if the scene cannot be simulated
     if (checkpoint) checkResumable(*checkpoint, arguments.resumed, scene, input);
-    const bool replays = scene.adaption && scene.adaption->verify;
-    if (checkpoint && timeline(adaptingSchedule(scene), checkpoint->run.done).empty() &&
-        isFinished(arguments.resumed, replays)) {
+    if (checkpoint && isAtEnd(*checkpoint, arguments.resumed, scene, input)) {
       fmt::print("nothing left to do: the run in {} is at the end; it goes on with more poses, cycles or steps\n",
                  arguments.resumed);
       return kDone;

@@ -1,6 +1,7 @@
 // Frames of the written series: the positions of a garment or rest shape and its arrays (output_arrays.h).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "adaption/stretch_measure.h"
@@ -18,6 +19,7 @@ struct GarmentFields {
   const std::vector<double>& gap;          // per vertex, m; empty without a body
   const std::vector<double>& pressure;     // per vertex, Pa; empty without a body
   const std::vector<int>& pinned;          // vertices
+  std::optional<double> limit;             // delta; none: without limit
 };
 
 /// Makes the frame of the garment at one moment, with all arrays of a run.  Arrays about contact are left out if there

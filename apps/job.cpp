@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstdio>
 #include <numeric>
 #include <optional>
@@ -49,6 +50,8 @@ void measureGrowth(const std::vector<double>& first_areas, const Cloth& cloth, R
 }
 
 class Job {
+  using Clock = std::chrono::steady_clock;
+
  public:
   Job(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
       const std::optional<Checkpoint>& resume_from, bool append_to_series, const std::atomic<bool>& interrupted)
@@ -70,8 +73,12 @@ class Job {
         setUp();
       }
       try {
-        adaptingRun();
-        if (!interrupted_ && verifies()) replays();
+        if (fitsInPasses(scene_)) {
+          fit();
+        } else {
+          adaptingRun();
+          if (!interrupted_ && verifies()) replays();
+        }
       } catch (const ComputationError& error) {
         report_.failure = error.what();
       }
@@ -92,7 +99,7 @@ class Job {
     return numbering;
   }
 
-  bool verifies() const { return scene_.adaption && scene_.adaption->verify; }
+  bool verifies() const { return scene_.adaption && scene_.adaption->verify && !fitsInPasses(scene_); }
 
   std::vector<Moment> momentsLeft() const {
     return timeline(adaptingSchedule(scene_), resume_from_ ? resume_from_->run.done : StepsDone());
@@ -114,7 +121,11 @@ class Job {
     if (resume_from_) report_.resumed_from_step = resume_from_->run.done.all;
     report_.warnings = input_.warnings;
     const long replay_steps = static_cast<long>(timeline(replaySchedule(scene_)).size());
-    progress_.emplace(static_cast<long>(momentsLeft().size()) + (verifies() ? 2 * replay_steps : 0));
+    if (fitsInPasses(scene_))  // at most: all passes, and the check
+      progress_.emplace((scene_.adaption->fit.max_passes + 1) *
+                        static_cast<long>(timeline(adaptingSchedule(scene_)).size()));
+    else
+      progress_.emplace(static_cast<long>(momentsLeft().size()) + (verifies() ? 2 * replay_steps : 0));
   }
 
   Stitcher stitcher() const { return Stitcher(*cloth_, systemOrdering(cloth_->vertexCount(), cloth_->triangles())); }
@@ -139,7 +150,7 @@ class Job {
     return state;
   }
 
-  RunWatch watch(const char* activity) {
+  RunWatch watch(const std::string& activity) {
     RunWatch watch;
     watch.interrupted = &interrupted_;
     watch.on_step = [this, activity](const Moment& moment) {
@@ -154,7 +165,7 @@ class Job {
     if (scene_.output && !momentsLeft().empty()) {  // otherwise only the replays are left
       const double keep_until =
           append_to_series_ ? (resume_from_->run.done.all + 0.5) * resume_from_->time_step_s : -1.0;
-      series.emplace(directory_, given_, numbering_, first_areas_, keep_until);
+      series.emplace(directory_, given_, numbering_, first_areas_, limit(), keep_until);
       run_watch.on_frame = [&](const Snapshot& snapshot) { series->write(snapshot); };
     }
     run_watch.on_checkpoint = [&](const RunState& state) {
@@ -180,9 +191,74 @@ class Job {
     finish();
   }
 
-  Checkpoint checkpointOf(const RunState& state) const {
+  /// Fits the rest shape in passes (adaption/fit.h); the check writes the frames.
+  void fit() {
+    const RunInput run_input = runInput(scene_, input_, body());
+    Fit fit(runSettings(scene_, adaptingSchedule(scene_)), scene_.adaption->fit, run_input, *cloth_);
+    if (resume_from_ && resumesFit(*resume_from_, scene_, given_, input_)) fit.resume(resume_from_->fit);
+    std::optional<SeriesOfRun> series;
+    FitWatch fit_watch;
+    fit_watch.interrupted = &interrupted_;
+    fit_watch.of_pass = [&](int pass) { return watch(fmt::format("pass {}", pass)); };
+    fit_watch.of_check = [&] {
+      RunWatch run_watch = watch("check");
+      if (!scene_.output) return run_watch;
+      series.reset();
+      series.emplace(directory_, given_, numbering_, first_areas_, limit());
+      run_watch.on_frame = [&](const Snapshot& snapshot) { series->write(snapshot); };
+      return run_watch;
+    };
+    fit_watch.on_pass = [&](const FitState& state) {
+      const RunState start{
+          {}, {input_.garment.positions, Positions::Zero(cloth_->vertexCount(), 3)}, cloth_->rest(), {}, {}};
+      writeCheckpoint(directory_ / kCheckpoint, checkpointOf(start, state));
+    };
+    const auto finish = [&] {
+      recordFit(fit);
+      if (series) series->finish();
+      writeRestShape();
+    };
+    try {
+      fit.run(fit_watch);
+    } catch (const ComputationError&) {
+      finish();
+      throw;
+    }
+    finish();
+    if (!interrupted_) showFit(fit);
+  }
+
+  void recordFit(const Fit& fit) {
+    report_.fit = fit.state();
+    report_.fit_result = fit.result();
+    report_.time_to_fit_s = secondsSoFar();
+    for (const FitPass& pass : fit.state().passes) report_.run += pass.record;
+    if (interrupted_ || fit.result().reason.empty()) return;
+    report_.before = fit.state().passes.front().record;
+    const PassRecord& chosen = fit.state().passes[fit.state().best].record;
+    const PassRecord& check = fit.result().check;
+    report_.after = check.stretch.overall.share_over_limit >= chosen.stretch.overall.share_over_limit ? check : chosen;
+    report_.run.fully_grown = chosen.fully_grown;
+    report_.verified = true;
+  }
+
+  /// Shows how the first pass and the check began and ended.
+  void showFit(const Fit& fit) {
+    const RestShape fitted = cloth_->rest();
+    cloth_->setRest(RestShape(cloth_->first()));
+    before_ = {showGarment(*cloth_, input_.garment.positions), showGarment(*cloth_, fit.state().first_end)};
+    cloth_->setRest(fitted);
+    after_ = {showGarment(*cloth_, input_.garment.positions), showGarment(*cloth_, fit.result().check_end)};
+  }
+
+  std::optional<double> limit() const { return scene_.adaption ? std::optional(scene_.adaption->limit) : std::nullopt; }
+
+  double secondsSoFar() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+  Checkpoint checkpointOf(const RunState& state, const FitState& fit = {}) const {
     return {state,
-            posesMet(scene_, given_, state.done),
+            fit,
+            fitsInPasses(scene_) ? posesOfWholeMotion(scene_, given_) : posesMet(scene_, given_, state.done),
             scene_.solver.time_step,
             scene_.solver.steps_per_pose,
             scene_.body ? scene_.body->steps : 0,
@@ -261,6 +337,7 @@ class Job {
   const bool append_to_series_;
   const std::atomic<bool>& interrupted_;
 
+  const Clock::time_point begin_ = Clock::now();
   std::optional<Cloth> cloth_;
   std::optional<MovingBody> body_;
   std::vector<double> first_areas_;  // areas of the first rest shape's triangles, m^2

@@ -28,6 +28,23 @@ Floats restAreaRatios(const RunSource& run) {
   return perTriangle(run, [&](size_t t) { return run.cloth.restAreas()[t] / run.first_areas[t]; });
 }
 
+Floats restEdges(const RunSource& run) {
+  Floats values;
+  for (const Mat2& edges : run.cloth.restEdges())
+    for (const double value : {edges(0, 0), edges(1, 0), edges(0, 1), edges(1, 1)})
+      values.push_back(static_cast<float>(value));
+  return values;
+}
+
+Floats overLimit(const RunSource& run) {
+  if (!run.fields->limit) return {};
+  const double limit = *run.fields->limit;
+  return perTriangle(run, [&](size_t t) {
+    const Stretch& s = run.fields->stretch[t];
+    return s.sigma_1 <= 1.0 + limit ? 0 : isCrumpled(s, limit) ? 1 : 2;
+  });
+}
+
 Floats velocities(const RunSource& run) {
   const auto& v = run.state->velocities;
   return Floats(v.data(), v.data() + v.size());
@@ -72,8 +89,14 @@ const std::vector<OutputArray<RunSource>>& runArrays() {
        [](FromRun r) { return stretches(r, &Stretch::warp); }},
       {"stretch_weft", "", triangle, 1, "stretch along the weft",
        [](FromRun r) { return stretches(r, &Stretch::weft); }},
+      {"over_limit", "", triangle, 1,
+       "0: within the limit, 1: over it but crumpled, 2: over it and taut; only with a limit", overLimit},
       {"rest_area_ratio", "", triangle, 1,
        "rest area over that of the first rest shape; also in files of the rest shape", restAreaRatios, true},
+      {"rest_edges_m", "m", triangle, 4,
+       "flat rest triangle: warp and weft of the edge from its first corner to its second, then to its third; also in "
+       "files of the rest shape",
+       restEdges, true},
       {"velocity_m_s", "m/s", vertex, 3, "velocity, three components", velocities},
       {"pinned", "", vertex, 1, "1 where a pin holds the vertex, else 0",
        [](FromRun r) { return marks(static_cast<size_t>(r.cloth.vertexCount()), {r.fields->pinned}); }},

@@ -18,7 +18,10 @@ using Json = nlohmann::ordered_json;
 /// a limit; only then are there triangles over it to count.
 Json statistics(const std::optional<StretchStatistics>& s, bool limited) {
   Json json = {{"max", s ? Json(s->max) : Json()}, {"p99", s ? Json(s->p99) : Json()}};
-  if (limited) json["share_over_limit"] = s ? Json(s->share_over_limit) : Json();
+  if (limited) {
+    json["share_over_limit"] = s ? Json(s->share_over_limit) : Json();
+    json["taut_share_over_limit"] = s ? Json(s->taut_share_over_limit) : Json();
+  }
   return json;
 }
 
@@ -61,6 +64,26 @@ Json measuredIf(bool measured, const Json& value) {
   return measured ? value : Json();
 }
 
+Json adaptionOf(const Report& report, const Scene& scene) {
+  if (!fitsInPasses(scene)) return {{"mode", "sequential"}};
+  Json json = {{"mode", "passes"}, {"target", scene.adaption->fit.target}, {"passes", Json::array()}};
+  for (const FitPass& pass : report.fit.passes) {
+    const StretchStatistics& stretch = pass.record.stretch.overall;
+    json["passes"].push_back({{"share_over_limit", stretch.share_over_limit},
+                              {"taut_share_over_limit", stretch.taut_share_over_limit},
+                              {"max", stretch.max},
+                              {"area_ratio", pass.area_ratio},
+                              {"wall_s", pass.record.times.total}});
+  }
+  if (!report.verified) return json;
+  json["chosen_pass"] = report.fit.best + 1;
+  json["check"] = {{"share_over_limit", report.fit_result.check.stretch.overall.share_over_limit},
+                   {"wall_s", report.fit_result.check.times.total}};
+  json["target_met"] = report.fit_result.target_met;
+  json["reason"] = report.fit_result.reason;
+  return json;
+}
+
 Json toJson(const Report& report, const Scene& scene) {
   const PassRecord& run = report.run;
   Json json;
@@ -94,6 +117,10 @@ Json toJson(const Report& report, const Scene& scene) {
     json["sigma_1"]["before"] = stretchRecord(report.before.stretch, report.pose_names, limited);
     json["sigma_1"]["after"] = stretchRecord(report.after.stretch, report.pose_names, limited);
   }
+  if (scene.adaption) json["adaption"] = adaptionOf(report, scene);
+  if (report.time_to_fit_s) json["time_to_fit_s"] = *report.time_to_fit_s;
+  if (report.verified && fitsInPasses(scene))
+    json["rest_embedding"] = {{"mean", report.fit_result.embedding.mean}, {"p99", report.fit_result.embedding.p99}};
   json["rest_growth"] = {
       {"max", report.growth_max}, {"p99", report.growth_p99}, {"area_ratio", report.growth_area_ratio}};
   Penetration deepest = run.penetration;
@@ -166,17 +193,22 @@ std::string summaryText(const Report& report) {
         "alone\n{:.1f} s in all: {:.1f} s more for {}pictures and report\n",
         report.vertices, run.steps, 1e3 * report.time_step_s, run_s, perSecond(run.steps, run_s),
         perSecond(run.steps, run.times.step), report.total_s, report.total_s - run_s,
-        report.verified ? "replays, " : "");
+        report.verified ? (report.fit.passes.empty() ? "replays, " : "check, ") : "");
   else
     text = fmt::format("{} vertices, no time step was left to do; {:.1f} s in all\n", report.vertices, report.total_s);
   if (report.verified) {
     const auto line = [&](const char* when, const StretchRecord& s) {
-      text += fmt::format("stretch {}: at most {:.3f}, 99 % below {:.3f}, over {:.3g}: {:.2f} % of the triangles\n",
-                          when, s.overall.max, s.overall.p99, 1.0 + report.limit, 100.0 * s.overall.share_over_limit);
+      text += fmt::format(
+          "stretch {}: at most {:.3f}, 99 % below {:.3f}, over {:.3g}: {:.2f} % of the triangles, {:.2f} % taut\n",
+          when, s.overall.max, s.overall.p99, 1.0 + report.limit, 100.0 * s.overall.share_over_limit,
+          100.0 * s.overall.taut_share_over_limit);
     };
     line("before", report.before.stretch);
     line("after ", report.after.stretch);
   }
+  if (report.verified && !report.fit.passes.empty())
+    text += fmt::format("fitted in {} passes, {:.1f} s: {}\n", report.fit.passes.size(),
+                        report.time_to_fit_s.value_or(0.0), report.fit_result.reason);
   if (report.limit > 0.0)
     text += fmt::format("rest shape: area {:+.2f} %, largest growth {:.2f} times, 99 % below {:.2f}\n",
                         100.0 * (report.growth_area_ratio - 1.0), report.growth_max, report.growth_p99);

@@ -17,10 +17,13 @@ struct Report {
   double limit = 0.0;  // delta: principal stretch at most 1 + delta; 0: no adaption
   std::vector<std::string> pose_names;
   std::optional<int> resumed_from_step;  // time step at which a resumed run began; its counts start there
-  PassRecord run;
+  PassRecord run;                        // sum over all passes, where the rest shape is fitted in passes
   bool verified = false;
   PassRecord before, after;  // replays with the first and with the adapted rest shape
-  int folded_edges = 0;      // in the adapted rest shape (stitch.h)
+  FitState fit;              // its passes; none where the rest shape is not fitted in passes
+  FitResult fit_result;
+  std::optional<double> time_to_fit_s;  // from the start to the verified rest shape
+  int folded_edges = 0;                 // in the adapted rest shape (stitch.h)
   double growth_max = 1.0, growth_p99 = 1.0, growth_area_ratio = 1.0;
   double setup_s = 0.0, total_s = 0.0;
   bool interrupted = false;

@@ -57,7 +57,9 @@ void checkResumable(const Checkpoint& checkpoint, const std::filesystem::path& d
   expectSame("[solver] time_step", checkpoint.time_step_s, scene.solver.time_step);
   expectSame("[solver] steps_per_pose", checkpoint.steps_per_pose, scene.solver.steps_per_pose);
   expectSame("[body] steps", checkpoint.interpolation_steps, scene.body ? scene.body->steps : 0);
-  checkPosesMet(checkpoint, directory.string(), scene, input);
+  // Passes carry the cloth through the whole motion, whatever an earlier run met.
+  if (!fitsInPasses(scene) && checkpoint.fit.passes.empty())
+    checkPosesMet(checkpoint, directory.string(), scene, input);
 }
 
 void takeStartFrom(const StartGarment& earlier, const std::string& name, const Warn& warn, SceneInput& input) {
@@ -92,6 +94,27 @@ std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input,
     met.push_back(fingerprint(x.data(), x.size() * sizeof(double)) + (runs_back ? 1 : 0));
   }
   return met;
+}
+
+std::vector<std::uint64_t> posesOfWholeMotion(const Scene& scene, const SceneInput& input) {
+  StepsDone all;
+  all.moving = timeStepsOfMotion(adaptingSchedule(scene)) * adaptingSchedule(scene).cycles;
+  return posesMet(scene, input, all);
+}
+
+bool resumesFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& given, const SceneInput& input) {
+  return !checkpoint.fit.passes.empty() && checkpoint.poses_met == posesOfWholeMotion(scene, given) &&
+         checkpoint.paint == input.paint;
+}
+
+bool isAtEnd(const Checkpoint& checkpoint, const std::filesystem::path& directory, const Scene& scene,
+             const SceneInput& input) {
+  const bool replays = scene.adaption && scene.adaption->verify;
+  if (!isFinished(directory, replays || fitsInPasses(scene))) return false;
+  if (!fitsInPasses(scene)) return timeline(adaptingSchedule(scene), checkpoint.run.done).empty();
+  const FitState& fit = checkpoint.fit;
+  return fit.over && checkpoint.poses_met == posesOfWholeMotion(scene, input) &&
+         static_cast<int>(fit.passes.size()) <= scene.adaption->fit.max_passes;
 }
 
 bool isFinished(const std::filesystem::path& directory, bool with_replays) {

@@ -27,6 +27,17 @@ void takeStartFrom(const StartGarment& earlier, const std::string& name, const W
 /// interpolated shapes between two poses depend on the direction.
 std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input, const StepsDone& done);
 
+/// Returns the fingerprints of all poses of the scene's motion, in its order.
+std::vector<std::uint64_t> posesOfWholeMotion(const Scene& scene, const SceneInput& input);
+
+/// Whether the passes of the checkpoint are passes of this scene: the same motion and the same paint.  Otherwise they
+/// begin anew.  `given`: in the numbering of its files; `input`: in that of the checkpoint.
+bool resumesFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& given, const SceneInput& input);
+
+/// Whether nothing is left to do for the scene after the checkpoint in `directory`, reports included.
+bool isAtEnd(const Checkpoint& checkpoint, const std::filesystem::path& directory, const Scene& scene,
+             const SceneInput& input);
+
 /// Whether the run in `directory` wrote its report without interruption or failure; `with_replays`: replays included.
 bool isFinished(const std::filesystem::path& directory, bool with_replays);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "apps/scene_tools.h"
 #include "apps/toml_table.h"
@@ -16,13 +17,23 @@ namespace {
 // A longer motion is assumed to be a typing error: at 100 steps per second it would take more than a day.
 constexpr double kMaxTimeSteps = 1e7;
 
+constexpr double kMeasuringInterval = 0.02;  // s, between measurements of the stretch by default
+
+// A rest shape that is fitted in passes depends little on how accurate the time steps are (docs/benchmarks.md): by
+// default they are as long, and as rough, as pays.
+constexpr double kPassTimeStep = 0.0125;  // s
+constexpr double kPassTolerance = 0.2;
+
 BodyScene readBody(const TomlTable& table) {
-  table.allow({"poses", "builtin", "steps", "match"});
+  table.allow({"poses", "builtin", "seconds_per_pose", "steps", "match"});
+  if (table.has("steps") && table.has("seconds_per_pose"))
+    table.refuse("steps", "either seconds_per_pose or steps, not both");
   BodyScene body;
   body.builtin = table.choice("builtin", body.builtin, {"mannequin"});
   body.poses = table.texts("poses");
   if (body.poses.empty())
     table.refuse("poses", body.builtin.empty() ? "mesh files, one a pose" : listWords(mannequinPoses()));
+  body.seconds_per_pose = table.number("seconds_per_pose", body.seconds_per_pose, {0.0, 1e4, true, "s"});
   body.steps = table.integer("steps", body.steps, 1, 100000);
   body.match_triangles = table.choice("match", "index", {"index", "triangles"}) == "triangles";
 
@@ -165,10 +176,17 @@ CollisionScene readCollision(const TomlTable& table, const GarmentScene& garment
   return collision;
 }
 
-AdaptionScene readAdaption(const TomlTable& table) {
-  table.allow({"limit", "every", "cycles", "settle", "verify"});
+AdaptionScene readAdaption(const TomlTable& table, double time_step) {
+  table.allow({"mode", "limit", "target", "passes", "every", "cycles", "settle", "verify"});
   AdaptionScene adaption;
+  const bool sequential = table.choice("mode", "passes", {"passes", "sequential"}) == "sequential";
+  adaption.mode = sequential ? AdaptionMode::sequential : AdaptionMode::passes;
+  for (const char* key : {"target", "passes"})
+    if (sequential && table.has(key)) table.refuse(key, "mode = 'passes' for it");
+  adaption.fit.target = table.number("target", adaption.fit.target, {0.0, 1.0, false, ""});
+  adaption.fit.max_passes = table.integer("passes", adaption.fit.max_passes, 1, 1000);
   adaption.limit = table.number("limit", adaption.limit, {0.0, 2.0, true, ""});
+  adaption.every = std::max(1, static_cast<int>(std::lround(kMeasuringInterval / time_step)));
   adaption.every = table.integer("every", adaption.every, 1, 1000000);
   adaption.cycles = table.integer("cycles", adaption.cycles, 1, 1000);
   adaption.settle = table.integer("settle", adaption.settle, 0, 1000000);
@@ -181,6 +199,24 @@ OutputScene readOutput(const TomlTable& table) {
   OutputScene output;
   output.every = table.integer("every", output.every, 1, 1000000);
   return output;
+}
+
+/// Divides the motion from a pose to the next into time steps, and chooses the tolerance, as far as the scene does not.
+void divideMotion(const TomlTable& root, Scene& scene) {
+  const auto body = root.table("body"), solver = root.table("solver"), adaption = root.table("adaption");
+  const auto gives = [&](const char* key) { return solver && solver->has(key); };
+  const bool in_passes = body && adaption && adaption->choice("mode", "passes", {"passes", "sequential"}) == "passes";
+  if (in_passes && !gives("tolerance")) scene.solver.tolerance = kPassTolerance;
+  if (!body || body->has("steps")) return;
+  if (in_passes && !gives("time_step") && !gives("steps_per_pose")) {
+    scene.solver.time_step = kPassTimeStep;
+    scene.solver.steps_per_pose = 1;
+  }
+  const double step_s = scene.solver.time_step * scene.solver.steps_per_pose;
+  const double steps = std::max(1.0, std::round(scene.body->seconds_per_pose / step_s));
+  if (steps > kMaxTimeSteps)
+    body->refuse("seconds_per_pose", fmt::format("at most {:.0f} time steps, found {:.0f}", kMaxTimeSteps, steps));
+  scene.body->steps = static_cast<int>(steps);
 }
 
 /// Reads the scene's name.  It is also the name of the result folder, so it must be a single folder that is not hidden.
@@ -226,7 +262,8 @@ Scene readScene(const std::filesystem::path& file) {
     scene.collision = readCollision(*collision, scene.garment);
   }
   if (scene.garment.comfort_offset) scene.collision.offset = *scene.garment.comfort_offset;
-  if (const auto adaption = root.table("adaption")) scene.adaption = readAdaption(*adaption);
+  divideMotion(root, scene);
+  if (const auto adaption = root.table("adaption")) scene.adaption = readAdaption(*adaption, scene.solver.time_step);
   if (const auto output = root.table("output")) scene.output = readOutput(*output);
   checkLength(root, scene);
   return scene;

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "adaption/run.h"
+#include "adaption/fit.h"
 #include "garment/authoring.h"
 #include "solver/base/error.h"
 #include "solver/mesh/numbering.h"
@@ -20,9 +20,9 @@ namespace ease {
 struct BodyScene {
   std::vector<std::string> poses;  // mesh files relative to the scene file, or names of the built-in body's poses
   std::string builtin;             // "mannequin"; empty: the poses are read from files
-  int steps =
-      Schedule().interpolation_steps;  // interpolation steps from one pose to the next; a single pose is held this long
-  bool match_triangles = false;        // match = "triangles": match the poses' vertices by their triangles
+  double seconds_per_pose = 0.6;   // s from one pose to the next; a single pose is held this long
+  int steps = Schedule().interpolation_steps;  // the same in interpolation steps
+  bool match_triangles = false;                // match = "triangles": match the poses' vertices by their triangles
 };
 
 struct PinScene {
@@ -60,12 +60,19 @@ struct CollisionScene {
   double stiffness = RunSettings().contact_stiffness;  // contact pressure per depth, N/m^3
 };
 
+enum class AdaptionMode {
+  passes,      // whole motions on a fixed rest shape, which is let out between them (adaption/fit.h)
+  sequential,  // the rest shape is let out while the body moves, after Wolff et al. 2022
+};
+
 struct AdaptionScene {
+  AdaptionMode mode = AdaptionMode::passes;
   double limit = 0.1;  // delta: principal stretch at most 1 + delta
+  FitSettings fit;     // passes: target and number
   int every = 8;       // time steps between measurements of the stretch
   int cycles = 1;      // number of times that the motion is run through
   int settle = 0;      // additional time steps on the last pose
-  bool verify = true;  // replay the motion with the first and with the adapted rest shape
+  bool verify = true;  // sequential: replay the motion with the first and with the adapted rest shape
 };
 
 struct OutputScene {
@@ -83,6 +90,11 @@ struct Scene {
   std::optional<AdaptionScene> adaption;
   std::optional<OutputScene> output;
 };
+
+/// Whether the scene's rest shape is fitted in passes.
+inline bool fitsInPasses(const Scene& scene) {
+  return scene.adaption && scene.adaption->mode == AdaptionMode::passes;
+}
 
 /// Reads a scene.  Throws InputError with file, line, key, the value found and what was expected: unknown keys (with
 /// the nearest known one), wrong types, impossible values, missing tables, keys that exclude each other.

@@ -36,7 +36,7 @@ Schedule adaptingSchedule(const Scene& scene) {
   Schedule schedule = replaySchedule(scene);
   if (scene.output) schedule.write_every = scene.output->every;
   if (!scene.adaption) return schedule;
-  schedule.adapt_every = scene.adaption->every;
+  if (!fitsInPasses(scene)) schedule.adapt_every = scene.adaption->every;
   schedule.cycles = scene.adaption->cycles;
   schedule.settle = scene.adaption->settle;
   return schedule;

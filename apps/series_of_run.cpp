@@ -5,17 +5,19 @@
 namespace ease {
 
 SeriesOfRun::SeriesOfRun(const std::filesystem::path& directory, const SceneInput& given,
-                         const InputNumbering& numbering, const std::vector<double>& first_areas, double keep_until)
+                         const InputNumbering& numbering, const std::vector<double>& first_areas,
+                         std::optional<double> limit, double keep_until)
     : garment_(directory, "garment", given.garment.triangles, keep_until),
       rest_(directory, "rest", given.garment.triangles, keep_until),
       numbering_(numbering),
-      first_areas_(first_areas) {
+      first_areas_(first_areas),
+      limit_(limit) {
   if (given.body_triangles.rows() > 0) body_.emplace(directory, "body", given.body_triangles, keep_until);
 }
 
 void SeriesOfRun::write(const Snapshot& snapshot) {
   const double time_s = snapshot.moment.time_s;
-  const GarmentFields fields{snapshot.stretch, first_areas_, snapshot.gap, snapshot.pressure, snapshot.pinned};
+  const GarmentFields fields{snapshot.stretch, first_areas_, snapshot.gap, snapshot.pressure, snapshot.pinned, limit_};
   const Frame garment = garmentFrame(snapshot.cloth, snapshot.state, fields);
   if (body_) body_->write(time_s, restored(Frame{snapshot.body, {}, {}}, numbering_.body));
   garment_.write(time_s, restored(garment, numbering_.garment));

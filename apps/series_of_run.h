@@ -14,10 +14,11 @@ namespace ease {
 class SeriesOfRun {
  public:
   /// Starts the series.  `given`: the meshes as they were before they were renumbered for the run; frames are written
-  /// in that numbering.  `first_areas`: areas of the first rest shape's triangles, in the run's numbering, m^2.  Series
-  /// in the directory are continued: their frames up to `keep_until` (s) stay, later ones are replaced.
+  /// in that numbering.  `first_areas`: areas of the first rest shape's triangles, in the run's numbering, m^2.
+  /// `limit`: delta.  Series in the directory are continued: their frames up to `keep_until` (s) stay, later ones are
+  /// replaced.
   SeriesOfRun(const std::filesystem::path& directory, const SceneInput& given, const InputNumbering& numbering,
-              const std::vector<double>& first_areas, double keep_until = -1.0);
+              const std::vector<double>& first_areas, std::optional<double> limit, double keep_until = -1.0);
 
   void write(const Snapshot& snapshot);
   /// Waits until all frames are on disk; throws like Series::write().
@@ -28,6 +29,7 @@ class SeriesOfRun {
   std::optional<Series> body_;
   InputNumbering numbering_;
   std::vector<double> first_areas_;
+  std::optional<double> limit_;
 };
 
 }  // namespace ease

@@ -48,7 +48,8 @@ class Job {
     MovingBody body = movingBody(scene_, input);
     timing_.setup_s = secondsSince(start);
     const ScratchDirectory scratch;
-    SeriesOfRun series(scratch.path, given, numbering, cloth.restAreas());
+    SeriesOfRun series(scratch.path, given, numbering, cloth.restAreas(),
+                       runSettings(scene_, adaptingSchedule(scene_)).limit);
 
     begin_ = Clock::now();
     const RunInput run_input = runInput(scene_, input, &body);
