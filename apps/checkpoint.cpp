@@ -17,7 +17,7 @@ namespace ease {
 
 namespace {
 
-constexpr std::string_view kKind = "ease checkpoint ", kVersion = "5\n";
+constexpr std::string_view kKind = "ease checkpoint ", kVersion = "6\n";
 
 // Size of the file's header: kind, version, and the fingerprint of everything that follows, which is the members.
 constexpr size_t kHeader = kKind.size() + kVersion.size() + sizeof(std::uint64_t);
@@ -88,6 +88,7 @@ void members(Bytes& bytes, C& c) {
   bytes.array(c.numbering.triangles);
   bytes.rows(c.run.cloth.positions);
   bytes.rows(c.run.cloth.velocities);
+  bytes.array(c.run.cloth.normal_forces);
   bytes.rows(c.first_rest.positions);
   bytes.array(c.first_rest.edges);
   bytes.rows(c.run.rest.positions);
