@@ -33,4 +33,12 @@ TEST_CASE("the body is where the parts of the time steps say, and cloth is as fa
   Penetration penetration;
   contacts.deepen(penetration);
   CHECK(penetration.vertices == 0.0);
+
+  // In the first step the ball rises by a quarter of its way, and so does what touches its top.
+  Contacts found;
+  contacts.find(0.5, sheet.positions, found, 0.0);
+  REQUIRE_FALSE(found.planes[1].normal.isZero());
+  CHECK((found.motions[1] - Vec3(0.0, 0.01, 0.0)).norm() < 1e-6);
+  contacts.find(0.5, sheet.positions, found);
+  CHECK(found.motions.empty());
 }
