@@ -82,18 +82,19 @@ class DressedBody {
   StepOptions options_;
   TimeStep step_;
   State state_;
-  std::vector<double> offsets_;
+  std::vector<double> offsets_;  // one a sample, m
+  int taken_ = 0;                // time steps
 };
 
 }  // namespace
 
 TEST_CASE("a tube stays with friction on a cone that narrows downwards, and slides off without") {
-  const Method method = GENERATE(Method::bw1, Method::newton, Method::pd_lbfgs, Method::automatic);
+  const Method method = GENERATE(Method::bw1, Method::automatic);
   const double slope = 0.1;  // below the coefficient of friction
   const TriangleMesh body = cone(slope), tube = tubeOn(slope);
   const auto fall = [&](double friction) {
     DressedBody dressed(body, {body.positions}, 1, tube, friction, method);
-    dressed.run(80);
+    dressed.run(40);
     return -dressed.height();
   };
   const double with = fall(0.3), without = fall(0.0);
@@ -103,16 +104,16 @@ TEST_CASE("a tube stays with friction on a cone that narrows downwards, and slid
 }
 
 TEST_CASE("a cylinder that turns takes a taut tube with it, and leaves it behind without friction") {
-  const Method method = GENERATE(Method::bw1, Method::newton, Method::pd_lbfgs, Method::automatic);
-  const double turn = 1.0;  // rad, in 80 steps of 2.5 ms: the surface moves at half a metre per second
+  const Method method = GENERATE(Method::bw1, Method::automatic);
+  const double turn = 0.5;  // rad, in 40 steps of 2.5 ms: the surface moves at half a metre per second
   const TriangleMesh body = cone(0.0), tube = tubeOn(0.0);
   const Mat3 rotation = Eigen::AngleAxisd(turn, Vec3::UnitY()).toRotationMatrix();
   const std::vector<Positions> poses = {body.positions, body.positions * rotation.transpose()};
-  DressedBody rough(body, poses, 80, tube, 0.3, method), smooth(body, poses, 80, tube, 0.0, method);
-  rough.run(20);
+  DressedBody rough(body, poses, 40, tube, 0.3, method), smooth(body, poses, 40, tube, 0.0, method);
+  rough.run(10);
   const Positions before = rough.positions();
-  rough.run(60);
-  smooth.run(80);
+  rough.run(30);
+  smooth.run(40);
   INFO(nameOf(method) << ": " << rough.turnFrom(before) / (0.75 * turn) - 1.0 << ", without friction "
                       << smooth.turnFrom(tube.positions) << " rad");
   CHECK(rough.turnFrom(before) == Approx(0.75 * turn).epsilon(0.01));
