@@ -246,8 +246,8 @@ void IncrementalPotential::contactDiagonal(const Positions& x, bool bound, std::
     const double k = stiffness(contact, lane, depth);
     forCorners(contact, lane, [&](int v, double weight) { diagonal[v] += weight * k; });
   });
-  forFriction(x, [&](const ContactLanes& contact, int lane, double limit, const Vec3& slip) {
-    const double k = limit * frictionWeight(bound ? 0.0 : slip.norm(), slipLength());
+  forFriction(x, [&](const ContactLanes& contact, int lane, double limit, const Vec3&) {
+    const double k = limit * frictionWeight(0.0, slipLength());
     forCorners(contact, lane, [&](int v, double weight) { diagonal[v] += weight * k; });
   });
 }
