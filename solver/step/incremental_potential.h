@@ -41,7 +41,8 @@ struct StepOptions {
   double friction = 0.0;             // coefficient of friction between cloth and body
 };
 
-/// Speed below which cloth that touches the body counts as sticking to it, m/s (energy/friction.h).
+/// Speed below which cloth that touches the body counts as sticking to it, m/s (energy/friction.h). Ten times as much
+/// saves a quarter of the iterations of pd-lbfgs on a T-shirt in motion, but held cloth creeps ten times as fast.
 constexpr double kSlipSpeed = 1e-3;
 
 /// Twice the kinetic energy of a motion that takes one step, |motion|^2_M / h^2, J.
@@ -78,7 +79,8 @@ class IncrementalPotential {
 
   /// Lumped contact stiffness per vertex at x, N/m: row sums of the contact Hessian, as if contact were equally stiff
   /// in all directions, and of the bound of friction's Hessian without slip (energy/friction.h), where it is largest.
-  /// With `bound`, an upper bound over the whole step: every contact counts as pressed to the depth at which it stiffens
+  /// With `bound`, an upper bound over the whole step: every contact counts as pressed to the depth at which it
+  /// stiffens
   /// (`give`), or to its present depth if that is larger.
   void contactDiagonal(const Positions& x, bool bound, std::vector<double>& diagonal);
 
