@@ -80,8 +80,7 @@ class IncrementalPotential {
   /// Lumped contact stiffness per vertex at x, N/m: row sums of the contact Hessian, as if contact were equally stiff
   /// in all directions, and of the bound of friction's Hessian without slip (energy/friction.h), where it is largest.
   /// With `bound`, an upper bound over the whole step: every contact counts as pressed to the depth at which it
-  /// stiffens
-  /// (`give`), or to its present depth if that is larger.
+  /// stiffens (`give`), or to its present depth if that is larger.
   void contactDiagonal(const Positions& x, bool bound, std::vector<double>& diagonal);
 
   /// Contact pressure per vertex, Pa: the contact force on the vertex over a third of the area of its triangles at x.
