@@ -49,8 +49,10 @@ void BodyContacts::prepareNext(const Moment& moment, int part, const State& stat
   beside.run([this, k = shapeAt(next)] { body_.prepare(k, expected_samples_); });
 }
 
-void BodyContacts::find(double s, const Positions& x, Contacts& contacts) {
-  finder_.find(body_.at(s), samplesAt(x), offsets_, max_recovery_, contacts);
+void BodyContacts::find(double s, const Positions& x, Contacts& contacts, std::optional<double> start) {
+  BodyMoment before{};
+  if (start) before = body_.at(*start);
+  finder_.find(body_.at(s), samplesAt(x), offsets_, max_recovery_, contacts, start ? &before : nullptr);
 }
 
 void BodyContacts::measure(double s, const Positions& x) {

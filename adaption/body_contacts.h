@@ -6,6 +6,7 @@
 // While one part is computed, the level set that the next part needs is prepared beside it.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,8 +37,9 @@ class BodyContacts {
   /// `part_s`: length of a part, s.  wait() ends that.
   void prepareNext(const Moment& moment, int part, const State& state, double part_s, TaskBeside& beside);
 
-  /// Contact planes of the cloth at `x`, the body being at s.
-  void find(double s, const Positions& x, Contacts& contacts);
+  /// Contact planes of the cloth at `x`, the body being at s.  `start`: where the body was at the start of the part,
+  /// for friction; none: its motion is not needed.
+  void find(double s, const Positions& x, Contacts& contacts, std::optional<double> start = {});
 
   /// Distance of every sample of the cloth at `x` to the body at s, m.  distances() has them until the next call.
   void measure(double s, const Positions& x);

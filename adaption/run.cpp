@@ -102,15 +102,17 @@ void Run::step(const Moment& moment) {
 
 void Run::stepPart(const Moment& moment, int part) {
   const Stopwatch stopwatch(record_.times.step);
-  const StepOptions options{part_s_, settings_.gravity, record_.contact_stiffness};
+  const StepOptions options{part_s_, settings_.gravity, record_.contact_stiffness, settings_.friction};
   if (!contacts_) {
     record_.solver += step_.step(state_, options, pins_.at(nullptr), [](const Positions&, Contacts&) {});
     return;
   }
   const double s = contacts_->bodyAt(moment, part);
+  const std::optional<double> start =
+      settings_.friction > 0.0 ? std::optional(contacts_->bodyAt(moment, part - 1)) : std::nullopt;
   const BodyMoment body = input_.body->at(s);
   record_.solver += step_.step(state_, options, pins_.at(&body),
-                               [&](const Positions& x, Contacts& contacts) { contacts_->find(s, x, contacts); });
+                               [&](const Positions& x, Contacts& contacts) { contacts_->find(s, x, contacts, start); });
   contacts_->measureSinceFind(state_.positions);
   contacts_->deepen(record_.penetration);
 }

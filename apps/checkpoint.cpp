@@ -133,6 +133,7 @@ void members(Bytes& bytes, C& c) {
   bytes.array(c.numbering.triangles);
   bytes.rows(c.run.cloth.positions);
   bytes.rows(c.run.cloth.velocities);
+  bytes.array(c.run.cloth.normal_forces);
   bytes.rows(c.first_rest.positions);
   bytes.array(c.first_rest.edges);
   bytes.rows(c.run.rest.positions);

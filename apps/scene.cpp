@@ -166,13 +166,14 @@ SolverScene readSolver(const TomlTable& table, bool has_body) {
 }
 
 CollisionScene readCollision(const TomlTable& table, const GarmentScene& garment) {
-  table.allow({"offset", "voxel", "stiffness"});
+  table.allow({"offset", "voxel", "stiffness", "friction"});
   if (garment.comfort_offset && table.has("offset"))
     table.refuse("offset", "either this or [garment.comfort] offset, not both");
   CollisionScene collision;
   collision.offset = table.number("offset", collision.offset, {0.0, 0.1, false, "m"});
   collision.voxel = table.number("voxel", collision.voxel, {0.0005, 0.1, false, "m"});
   collision.stiffness = table.number("stiffness", collision.stiffness, {0.0, 1e10, true, "N/m^3"});
+  collision.friction = table.number("friction", collision.friction, {0.0, 5.0, false, ""});
   return collision;
 }
 

@@ -58,6 +58,7 @@ struct CollisionScene {
   double offset = RunSettings().comfort_offset;        // comfort offset: smallest distance to the body, m
   double voxel = LevelSetOptions().voxel;              // voxel size of the level set, m
   double stiffness = RunSettings().contact_stiffness;  // contact pressure per depth, N/m^3
+  double friction = RunSettings().friction;            // coefficient of friction between garment and body
 };
 
 enum class AdaptionMode {

@@ -48,6 +48,7 @@ RunSettings runSettings(const Scene& scene, const Schedule& schedule) {
   settings.method = {scene.solver.method, scene.solver.tolerance, scene.solver.residual, scene.solver.iterations};
   settings.gravity = scene.solver.gravity;
   settings.contact_stiffness = scene.collision.stiffness;
+  settings.friction = scene.collision.friction;
   settings.comfort_offset = scene.collision.offset;
   if (scene.adaption) settings.limit = scene.adaption->limit;
   return settings;

@@ -6,8 +6,11 @@
 // The level set is that of pose a; between the poses its lookups are carried along with the surface (contacts.h).
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "collision/level_set.h"
 #include "collision/triangle_tree.h"
+#include "solver/mesh/triangle_gradient.h"
 #include "solver/mesh/triangle_mesh.h"
 
 namespace ease {
@@ -36,6 +39,28 @@ struct BodyMoment {
     }
     return motion / 3.0;
   }
+
+  /// Mean of the corners of triangle t at this moment, m.
+  Vec3 centroid(int t) const {
+    const auto corners = triangles->row(t);
+    return (position(corners[0]) + position(corners[1]) + position(corners[2])) / 3.0;
+  }
+
+  /// Orthonormal directions that turn with triangle t: along its first edge, in its plane, and along its normal.
+  Mat3 frame(int t) const {
+    const auto corners = triangles->row(t);
+    const Vec3 a = position(corners[0]), along = (position(corners[1]) - a).normalized();
+    const Vec3 normal = along.cross(position(corners[2]) - a).normalized();
+    Mat3 frame;
+    frame << along, normal.cross(along), normal;
+    return frame;
+  }
 };
+
+/// Displacement from `before` to `now`, m, of a point that is carried rigidly by triangle t and ends at x.
+inline Vec3 carriedMotion(const Vec3& x, int t, const BodyMoment& before, const BodyMoment& now) {
+  const Vec3 local = now.frame(t).transpose() * (x - now.centroid(t));
+  return x - before.centroid(t) - before.frame(t) * local;
+}
 
 }  // namespace ease

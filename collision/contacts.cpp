@@ -92,7 +92,7 @@ void Penetration::deepen(const std::vector<double>& sample_distances, int vertex
 }
 
 void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, std::span<const double> offsets,
-                         double max_recovery, Contacts& contacts) {
+                         double max_recovery, Contacts& contacts, const BodyMoment* start) {
   lookUp(body, samples, *std::max_element(offsets.begin(), offsets.end()) + kReach);
   contacts.planes.resize(samples.size());
   parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
@@ -104,7 +104,15 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
     plane.offset = nearest.normal.dot(points_[s]) + offsets[s] - nearest.phi;
     plane.give = std::max(kMinGive, kGive * offsets[s]);
   });
-  makeRoom(body, offsets, contacts);
+  contacts.motions.clear();
+  if (start) {
+    contacts.motions.resize(samples.size(), Vec3::Zero());
+    parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) {
+      if (!contacts.planes[s].normal.isZero(0.0))
+        contacts.motions[s] = carriedMotion(points_[s], found_[s].triangle, *start, body);
+    });
+  }
+  makeRoom(body, offsets, contacts, start);
   // Limit how far a step moves a sample out, so that cloth deep in the body is not thrown out.
   std::atomic<long> limited = 0;
   const auto limit = [&](int s, ContactPlane& plane) {
@@ -118,7 +126,8 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
   rescues_.limited += limited;
 }
 
-void ContactFinder::makeRoom(const BodyMoment& body, std::span<const double> offsets, Contacts& contacts) {
+void ContactFinder::makeRoom(const BodyMoment& body, std::span<const double> offsets, Contacts& contacts,
+                             const BodyMoment* start) {
   // Look ahead from each sample that must move out by d = offset - phi: is the end of that way clear of other parts?
   lookAhead(body, [&](int s, Vec3& point) {
     const LevelSetSample& nearest = found_[s];
@@ -147,6 +156,7 @@ void ContactFinder::makeRoom(const BodyMoment& body, std::span<const double> off
     first.offset = first.normal.dot(x) + room - nearest.phi;
     first.give = give;
     contacts.seconds.push_back({s, {ahead.normal, ahead.normal.dot(x) + room - other, give}});
+    if (start) contacts.motions.push_back(carriedMotion(x, ahead.triangle, *start, body));
     ++rescues_.held;
   }
 }

@@ -41,9 +41,10 @@ struct ContactRescues {
 class ContactFinder {
  public:
   /// Finds a plane, or two, for each sample that touches the body or nearly does.  `offsets`: one a sample, m.  No
-  /// plane asks a sample to move out by more than `max_recovery` (m).
+  /// plane asks a sample to move out by more than `max_recovery` (m).  `start`: the body at the start of the step, from
+  /// which its surface has moved (Contacts::motions); null: not needed.
   void find(const BodyMoment& body, std::span<const Vec3> samples, std::span<const double> offsets, double max_recovery,
-            Contacts& contacts);
+            Contacts& contacts, const BodyMoment* start = nullptr);
 
   /// Computes the signed distance of each sample to the body, m; exact where it is below 2 mm.
   void distances(const BodyMoment& body, std::span<const Vec3> samples, std::vector<double>& distances);
@@ -65,7 +66,7 @@ class ContactFinder {
   template <class Choose>
   void lookAhead(const BodyMoment& body, const Choose& choose);
   /// Adds a second plane to samples between two parts of the body, and moves both planes to the middle.
-  void makeRoom(const BodyMoment& body, std::span<const double> offsets, Contacts& contacts);
+  void makeRoom(const BodyMoment& body, std::span<const double> offsets, Contacts& contacts, const BodyMoment* start);
 
   std::vector<LevelSetSample> found_, ahead_;
   std::vector<Vec3> points_;   // the samples, m

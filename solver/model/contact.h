@@ -26,6 +26,9 @@ struct Contacts {
   };
   std::vector<ContactPlane> planes;  // empty: no contact
   std::vector<Second> seconds;       // `planes` holds the first plane of each of these samples
+  // Displacement over the step, m, of the point that is fixed to the body's surface and ends where the sample was
+  // looked up: for each of `planes`, then for each of `seconds`. Only friction reads it; empty: nothing moves.
+  std::vector<Vec3> motions;
 };
 
 }  // namespace ease

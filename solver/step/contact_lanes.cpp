@@ -41,11 +41,34 @@ void ContactLanes::set(int lane, const Cloth& cloth, const HostedSample& hosted,
   area[lane] = samples.area(hosted.sample, cloth.vertexAreas(), cloth.restAreas());
 }
 
+FrictionLanes::FrictionLanes() {
+  from.x = from.y = from.z = limit = Lanes::Zero();
+  std::fill(std::begin(second), std::end(second), false);
+}
+
+void FrictionLanes::set(int lane, const Cloth& cloth, const HostedSample& hosted, const Contacts& contacts,
+                        const FrictionStart& start, int second_plane) {
+  second[lane] = second_plane >= 0;
+  const size_t s = hosted.sample, count = contacts.planes.size();
+  if (start.normal_forces.empty()) return;
+  limit[lane] = start.coefficient * start.normal_forces[second[lane] ? count + s : s];
+  if (limit[lane] == 0.0) return;
+  any = true;
+  Vec3 place = Vec3::Zero();
+  const SampleCorners corners = cloth.samples().corners(hosted.sample);
+  for (int k = 0; k < corners.count; ++k) place += Vec3(start.positions.row(corners.vertex[k])) / corners.count;
+  if (!contacts.motions.empty()) place += contacts.motions[second[lane] ? count + second_plane : s];
+  from.x[lane] = place[0];
+  from.y[lane] = place[1];
+  from.z[lane] = place[2];
+}
+
 ContactLayout::ContactLayout(const Cloth& cloth, int group)
     : cloth_(cloth),
       samples_(hostedSamples(cloth)),
       place_(cloth.samples().count(), -1),
-      groups_((cloth.triangleCount() + group - 1) / group) {
+      groups_((cloth.triangleCount() + group - 1) / group),
+      frictions_(groups_.size()) {
   for (size_t k = 0; k < samples_.size(); ++k) place_[samples_[k].sample] = static_cast<int>(k);
   for (int g = 0; g <= groupCount(); ++g) {
     const auto first = std::ranges::lower_bound(samples_, g * group, {}, &HostedSample::triangle);
@@ -53,22 +76,26 @@ ContactLayout::ContactLayout(const Cloth& cloth, int group)
   }
 }
 
-void ContactLayout::set(const Contacts& contacts) {
+void ContactLayout::set(const Contacts& contacts, const FrictionStart* friction) {
   empty_ = contacts.planes.empty();
   seconds_.clear();
-  for (const auto& [sample, plane] : contacts.seconds)
-    if (place_[sample] >= 0) seconds_.push_back({place_[sample], plane});
+  for (size_t k = 0; k < contacts.seconds.size(); ++k) {
+    const auto& [sample, plane] = contacts.seconds[k];
+    if (place_[sample] >= 0) seconds_.push_back({place_[sample], static_cast<int>(k), plane});
+  }
   std::ranges::stable_sort(seconds_, {}, &Second::place);
-  parallelFor(groupCount(), 1, [&](int g) { setGroup(g, contacts); });
+  parallelFor(groupCount(), 1, [&](int g) { setGroup(g, contacts, friction); });
 }
 
-void ContactLayout::setGroup(int g, const Contacts& contacts) {
+void ContactLayout::setGroup(int g, const Contacts& contacts, const FrictionStart* friction) {
   std::vector<ContactLanes>& all = groups_[g];
   all.clear();
+  frictions_[g].clear();
   if (empty_) return;
   size_t first = 0;  // index in `all` of the current block's first element
   int used[kLanes];  // number of the block's samples placed in each lane so far
-  const auto add = [&](const HostedSample& hosted, const ContactPlane& plane) {
+  // `second`: index of the plane in Contacts::seconds; -1: it is the sample's first one.
+  const auto add = [&](const HostedSample& hosted, const ContactPlane& plane, int second) {
     const int block = hosted.triangle / kLanes, lane = hosted.triangle % kLanes;
     if (all.empty() || all.back().block != block) {
       first = all.size();
@@ -77,12 +104,15 @@ void ContactLayout::setGroup(int g, const Contacts& contacts) {
     const size_t at = first + used[lane]++;
     if (at == all.size()) all.emplace_back(block);
     all[at].set(lane, cloth_, hosted, plane);
+    if (!friction) return;
+    if (frictions_[g].size() < all.size()) frictions_[g].resize(all.size());
+    frictions_[g][at].set(lane, cloth_, hosted, contacts, *friction, second);
   };
-  auto second = std::ranges::lower_bound(seconds_, begin_[g], {}, &Second::place);
+  auto next = std::ranges::lower_bound(seconds_, begin_[g], {}, &Second::place);
   for (int k = begin_[g]; k < begin_[g + 1]; ++k) {
     const ContactPlane& plane = contacts.planes[samples_[k].sample];
-    if (!plane.normal.isZero(0.0)) add(samples_[k], plane);
-    for (; second != seconds_.end() && second->place == k; ++second) add(samples_[k], second->plane);
+    if (!plane.normal.isZero(0.0)) add(samples_[k], plane, -1);
+    for (; next != seconds_.end() && next->place == k; ++next) add(samples_[k], next->plane, next->number);
   }
 }
 

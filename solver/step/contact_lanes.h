@@ -8,6 +8,7 @@
 // no further lookup.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "solver/energy/element.h"
@@ -52,28 +53,64 @@ struct ContactLanes {
   }
 };
 
+/// What friction in a step depends on besides the contacts.
+struct FrictionStart {
+  double coefficient;                     // mu
+  const Positions& positions;             // x_n, m
+  std::span<const double> normal_forces;  // lambda, N, as in State
+};
+
+/// Friction of the samples of a ContactLanes, lane by lane (energy/friction.h).
+struct FrictionLanes {
+  Column<Lanes> from;   // where the sample would be without slip, m: its start plus the motion of the body's surface
+  Lanes limit;          // mu lambda, N: the largest force of friction
+  bool second[kLanes];  // whether the plane is the sample's second one
+  bool any = false;     // whether a limit is above 0
+
+  /// All lanes are without friction.
+  FrictionLanes();
+  /// `second_plane`: index of the plane in Contacts::seconds; -1: it is the sample's first one.
+  void set(int lane, const Cloth& cloth, const HostedSample& hosted, const Contacts& contacts,
+           const FrictionStart& start, int second_plane);
+
+  /// Slip of the samples on their hosts: the part of x - from that is tangential to the plane, m.
+  Column<Lanes> slip(const ContactLanes& contact, const TriangleEdges& hosts) const {
+    const auto moved = [&](const Lanes& x, const Lanes& e1, const Lanes& e2, const Lanes& start) -> Lanes {
+      return x + contact.weight[0] * e1 + contact.weight[1] * e2 - start;
+    };
+    Column<Lanes> u{moved(hosts.first.x, hosts.edge_1.x, hosts.edge_2.x, from.x),
+                    moved(hosts.first.y, hosts.edge_1.y, hosts.edge_2.y, from.y),
+                    moved(hosts.first.z, hosts.edge_1.z, hosts.edge_2.z, from.z)};
+    addScaled(u, Lanes(-dot(u, contact.normal)), contact.normal);
+    return u;
+  }
+};
+
 /// Lanes of all samples that have a plane, in groups of consecutive triangles.
 class ContactLayout {
  public:
   /// `group`: number of triangles in a group, a multiple of 8.
   ContactLayout(const Cloth& cloth, int group);
 
-  /// Replaces the contacts.
-  void set(const Contacts& contacts);
+  /// Replaces the contacts. `friction`: null for contact without friction.
+  void set(const Contacts& contacts, const FrictionStart* friction = nullptr);
 
   bool empty() const { return empty_; }
   int sampleCount() const { return static_cast<int>(place_.size()); }
   int groupCount() const { return static_cast<int>(groups_.size()); }
   /// Lanes of group g, ordered by block.
   const std::vector<ContactLanes>& group(int g) const { return groups_[g]; }
+  /// Friction of each of the group's lanes; empty without friction.
+  const std::vector<FrictionLanes>& friction(int g) const { return frictions_[g]; }
 
  private:
   /// A second plane of a sample.
   struct Second {
-    int place;  // index in samples_
+    int place;   // index in samples_
+    int number;  // index in Contacts::seconds
     ContactPlane plane;
   };
-  void setGroup(int g, const Contacts& contacts);
+  void setGroup(int g, const Contacts& contacts, const FrictionStart* friction);
 
   const Cloth& cloth_;
   std::vector<HostedSample> samples_;
@@ -81,6 +118,7 @@ class ContactLayout {
   std::vector<int> begin_;       // index in samples_ of each group's first sample
   std::vector<Second> seconds_;  // ordered by place
   std::vector<std::vector<ContactLanes>> groups_;
+  std::vector<std::vector<FrictionLanes>> frictions_;
   bool empty_ = true;
 };
 

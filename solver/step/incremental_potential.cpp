@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "solver/base/parallel.h"
+#include "solver/energy/friction.h"
 
 namespace ease {
 
@@ -86,8 +87,9 @@ void IncrementalPotential::layOutTriangles() {
   });
 }
 
-void IncrementalPotential::setContacts(const Contacts& contacts) {
-  contacts_.set(contacts);
+void IncrementalPotential::setContacts(const Contacts& contacts, std::span<const double> normal_forces) {
+  const FrictionStart friction{options_.friction, start_, normal_forces};
+  contacts_.set(contacts, options_.friction > 0.0 ? &friction : nullptr);
 }
 
 HingeDamper IncrementalPotential::hingeDamper(int e) const {
@@ -115,19 +117,22 @@ double IncrementalPotential::triangleForces(const Positions& x) {
   partial_.resize(contacts_.groupCount());
   parallelFor(contacts_.groupCount(), 1, [&](int g) {
     const std::span<const ContactLanes> contacts = contacts_.group(g);
+    const std::span<const FrictionLanes> frictions = contacts_.friction(g);
     const int end = std::min((g + 1) * per_group, static_cast<int>(lanes_.size()));
     size_t first = 0, last = 0;  // range of the current block's contacts
     partial_[g] = 0.0;
     for (int block = g * per_group; block < end; ++block, first = last) {
       while (last < contacts.size() && contacts[last].block == block) ++last;
-      partial_[g] += blockForces(block, contacts.subspan(first, last - first), x);
+      partial_[g] += blockForces(block, contacts.subspan(first, last - first),
+                                 frictions.empty() ? frictions : frictions.subspan(first, last - first), x);
     }
   });
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
 /// Computes the forces of eight triangles side by side; returns their energy, J.
-double IncrementalPotential::blockForces(int block, std::span<const ContactLanes> contacts, const Positions& x) {
+double IncrementalPotential::blockForces(int block, std::span<const ContactLanes> contacts,
+                                         std::span<const FrictionLanes> frictions, const Positions& x) {
   const TriangleLanes& lanes = lanes_[block];
   const TriangleEdges host = lanes.edgesAt(x);
   const Column<Lanes>&e1 = host.edge_1, &e2 = host.edge_2;
@@ -157,6 +162,17 @@ double IncrementalPotential::blockForces(int block, std::span<const ContactLanes
     addScaled(all, push, contact.normal);
     addScaled(f1, Lanes(push * contact.weight[0]), contact.normal);
     addScaled(f2, Lanes(push * contact.weight[1]), contact.normal);
+  }
+  for (size_t k = 0; k < frictions.size(); ++k) {
+    const FrictionLanes& friction = frictions[k];
+    if (!friction.any) continue;
+    const Column<Lanes> u = friction.slip(contacts[k], host);
+    const Lanes y = length(u);
+    energy += friction.limit * frictionPotential(y, slipLength());
+    const Lanes drag = friction.limit * frictionWeight(y, slipLength());
+    addScaled(all, drag, u);
+    addScaled(f1, Lanes(drag * contacts[k].weight[0]), u);
+    addScaled(f2, Lanes(drag * contacts[k].weight[1]), u);
   }
   Vec3* out = corner_force_.data() + static_cast<size_t>(3 * kLanes) * block;
   const Column<Lanes> f0{all.x - f1.x - f2.x, all.y - f1.y - f2.y, all.z - f1.z - f2.z};
@@ -230,6 +246,24 @@ void IncrementalPotential::contactDiagonal(const Positions& x, bool bound, std::
     const double k = stiffness(contact, lane, depth);
     forCorners(contact, lane, [&](int v, double weight) { diagonal[v] += weight * k; });
   });
+  forFriction(x, [&](const ContactLanes& contact, int lane, double limit, const Vec3&) {
+    const double k = limit * frictionWeight(0.0, slipLength());
+    forCorners(contact, lane, [&](int v, double weight) { diagonal[v] += weight * k; });
+  });
+}
+
+void IncrementalPotential::normalForces(const Positions& x, std::vector<double>& forces) const {
+  const size_t count = cloth_.samples().count();
+  forces.assign(2 * count, 0.0);
+  for (int g = 0; g < contacts_.groupCount(); ++g)
+    for (size_t k = 0; k < contacts_.friction(g).size(); ++k) {
+      const ContactLanes& contact = contacts_.group(g)[k];
+      const Lanes depth = contact.depth(lanes_[contact.block].edgesAt(x));
+      const Lanes push = contact.area * ease::contactPressure(depth, options_.contact_stiffness, contact.give);
+      for (int l = 0; l < kLanes; ++l)
+        if (contact.sample[l] >= 0)
+          forces[contact.sample[l] + (contacts_.friction(g)[k].second[l] ? count : 0)] = push[l];
+    }
 }
 
 void IncrementalPotential::contactPressure(const Positions& x, std::vector<double>& pressure) {

@@ -1,5 +1,6 @@
 // Second derivative of the incremental potential (incremental_potential.h).
 #include "solver/base/parallel.h"
+#include "solver/energy/friction.h"
 #include "solver/step/incremental_potential.h"
 
 namespace ease {
@@ -28,6 +29,12 @@ void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMa
     const Vec3 normal = contact.normalOf(lane);
     if (!pressed_[s]) contact_hessian_[s].setZero();
     contact_hessian_[s] += stiffness(contact, lane, depth) * normal * normal.transpose();
+    pressed_[s] = 1;
+  });
+  forFriction(x, [&](const ContactLanes& contact, int lane, double limit, const Vec3& slip) {
+    const int s = contact.sample[lane];
+    if (!pressed_[s]) contact_hessian_[s].setZero();
+    contact_hessian_[s] += limit * frictionHessian(slip, contact.normalOf(lane), slipLength(), kind);
     pressed_[s] = 1;
   });
   const auto addContact = [&](int s, double weight, Mat3& block) {

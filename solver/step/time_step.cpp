@@ -129,18 +129,24 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
   potential_.begin(state, options);
   point_.x = state.positions + options.h * state.velocities;
   holdPins(pins, point_.x);
-  const int max_rounds = options_.method == Method::bw1 ? 1 : kMaxContactRounds;
+  const bool has_friction = options.friction > 0.0;
+  std::vector<double> normal_forces = has_friction ? state.normal_forces : std::vector<double>();
+  bool forces_known = !has_friction || !normal_forces.empty();
+  // Where no force is known, the first minimisation finds those that friction needs, and is repeated.
+  const int max_rounds = (options_.method == Method::bw1 ? 1 : kMaxContactRounds) + (forces_known ? 0 : 1);
   for (bool stale = true; stale && summary.contact_rounds < max_rounds;) {
     ++summary.contact_rounds;
     find_contacts(point_.x, contacts_);
-    potential_.setContacts(contacts_);
+    potential_.setContacts(contacts_, normal_forces);
     liftOut(point_.x);
     found_at_ = point_.x;
     point_.evaluate(potential_, fixed_);
     if (!std::isfinite(point_.energy)) throw ComputationError("the potential is not finite");
     minimise(summary);
-    stale = !contacts_.planes.empty() &&
-            (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() > kStaleDistance * kStaleDistance;
+    if (has_friction) potential_.normalForces(point_.x, normal_forces);
+    stale = !contacts_.planes.empty() && (!forces_known || (point_.x - found_at_).rowwise().squaredNorm().maxCoeff() >
+                                                               kStaleDistance * kStaleDistance);
+    forces_known = true;
   }
   if (options_.method == Method::automatic)
     choice_.recordCost(static_cast<double>(summary.projective_iterations),
@@ -150,6 +156,7 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
   if (!point_.x.allFinite()) throw ComputationError("a position is not finite");
   state.velocities = (point_.x - state.positions) / options.h;
   state.positions = point_.x;
+  state.normal_forces = std::move(normal_forces);
   return summary;
 }
 

@@ -10,6 +10,7 @@
 //
 // All methods minimise the same incremental potential and start at x_n + h v_n. Contacts are found there; they are
 // found again, and the minimisation repeated, if the cloth has moved far from the positions at which they were found.
+// With friction, each minimisation takes the normal forces at the end of the last one, in this step or the one before.
 #pragma once
 
 #include <functional>

@@ -33,4 +33,14 @@ TEST_CASE("the body is where the parts of the time steps say, and cloth is as fa
   Penetration penetration;
   contacts.deepen(penetration);
   CHECK(penetration.vertices == 0.0);
+
+  // In the first part of the first step the ball rises by a twelfth of its way, and so does what touches its top.
+  const Positions lower = sheet.positions.rowwise() - Eigen::RowVector3d(0.0, 0.005, 0.0);
+  const double part = contacts.bodyAt(moments[0], 1);
+  Contacts found;
+  contacts.find(part, lower, found, contacts.bodyAt(moments[0], 0));
+  REQUIRE_FALSE(found.planes[1].normal.isZero());
+  CHECK((found.motions[1] - Vec3(0.0, 0.04 / 12.0, 0.0)).norm() < 1e-6);
+  contacts.find(part, lower, found);
+  CHECK(found.motions.empty());
 }

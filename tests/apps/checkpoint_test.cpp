@@ -19,7 +19,7 @@ Checkpoint someCheckpoint() {
   c.time_step_s = 0.0025;
   c.steps_per_pose = 4;
   c.interpolation_steps = 60;
-  c.run.cloth = {randomPositions(7, 1), randomPositions(7, 2)};
+  c.run.cloth = {randomPositions(7, 1), randomPositions(7, 2), {0.0, 1.0 / 3.0, 2e-5}};
   c.start = {{randomPositions(7, 4), Triangles::Constant(5, 3, 6)}, 0.005};
   c.first_rest = {randomPositions(7, 5), std::vector<Mat2>(5, Mat2::Identity())};
   c.run.rest = {randomPositions(7, 3), std::vector<Mat2>(5, (Mat2() << 1.0 / 3.0, 0.1, 0.0, 2.0).finished())};
@@ -46,6 +46,7 @@ TEST_CASE("a checkpoint is read as it was written, to the last bit") {
   CHECK(read.interpolation_steps == written.interpolation_steps);
   CHECK(read.run.cloth.positions == written.run.cloth.positions);
   CHECK(read.run.cloth.velocities == written.run.cloth.velocities);
+  CHECK(read.run.cloth.normal_forces == written.run.cloth.normal_forces);
   CHECK(read.start.mesh.positions == written.start.mesh.positions);
   CHECK(read.start.mesh.triangles == written.start.mesh.triangles);
   CHECK(read.start.offset == written.start.offset);

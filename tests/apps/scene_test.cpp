@@ -25,6 +25,7 @@ TEST_CASE("the smallest scene has the defaults") {
   CHECK(scene.solver.time_step == 0.0025);
   CHECK(scene.solver.steps_per_pose == 4);
   CHECK(scene.collision.offset == 0.005);
+  CHECK(scene.collision.friction == 0.0);
   CHECK_FALSE(scene.adaption);
   CHECK_FALSE(scene.output);
   CHECK(timeStepsOfMotion(replaySchedule(scene)) == 240);
@@ -63,6 +64,7 @@ threads = 2
 [collision]
 offset = 0.004
 voxel = 0.006
+friction = 0.4
 [adaption]
 limit = 0.09
 every = 4
@@ -98,6 +100,7 @@ every = 16
   CHECK(scene.solver.threads == 2);
   CHECK(scene.collision.offset == 0.004);
   CHECK(scene.collision.voxel == 0.006);
+  CHECK(scene.collision.friction == 0.4);
   REQUIRE(scene.adaption);
   CHECK(scene.adaption->limit == 0.09);
   CHECK(scene.adaption->every == 4);

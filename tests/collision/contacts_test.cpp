@@ -142,3 +142,42 @@ TEST_CASE("distances since the last find follow small moves") {
   CHECK(penetration.vertices == Approx(0.001).margin(1e-5));
   CHECK(penetration.centroids == 0.0);
 }
+
+TEST_CASE("a sample's motion is that of the part of the body whose plane it has") {
+  Body body(makeSlabs(0.1));
+  // The slabs come from where they are turned by 0.2 and moved.
+  const Mat3 turn = Eigen::AngleAxisd(0.2, Vec3(0.3, 1.0, -0.2).normalized()).toRotationMatrix();
+  const Vec3 shift(0.01, -0.02, 0.03);
+  body.towards = body.mesh.positions * turn.transpose();
+  body.towards.rowwise() += shift.transpose();
+  const std::vector<Vec3> points{{-0.047, 0.01, 0.02}, {0.0, 0.0, 0.0}};
+  const BodyMoment now = body.moment(points);
+  BodyMoment start = now;
+  start.tau = 1.0;
+  ContactFinder finder;
+  Contacts contacts;
+  finder.find(now, points, std::vector<double>(2, 0.005), kMaxRecovery, contacts, &start);
+  REQUIRE(contacts.motions.size() == 2);
+  CHECK((contacts.motions[0] - (points[0] - turn * points[0] - shift)).norm() < 1e-12);
+  CHECK(contacts.motions[1].isZero());
+  finder.find(now, points, std::vector<double>(2, 0.005), kMaxRecovery, contacts);
+  CHECK(contacts.motions.empty());
+}
+
+TEST_CASE("between two parts of the body each plane has its own part's motion") {
+  Body body(makeSlabs(0.004));
+  for (int v = 0; v < 16; ++v) body.towards(v, 1) += v < 8 ? 0.003 : -0.002;
+  const std::vector<Vec3> points{{-0.0012, 0.01, 0.02}};
+  const BodyMoment now = body.moment(points);
+  BodyMoment start = now;
+  start.tau = 1.0;
+  ContactFinder finder;
+  Contacts contacts;
+  finder.find(now, points, std::vector<double>(1, 0.005), kMaxRecovery, contacts, &start);
+  REQUIRE(contacts.seconds.size() == 1);
+  REQUIRE(contacts.motions.size() == 2);
+  for (int k = 0; k < 2; ++k) {
+    const double away = (k == 0 ? contacts.planes[0] : contacts.seconds[0].plane).normal[0];
+    CHECK((contacts.motions[k] - Vec3(0.0, away > 0.0 ? -0.003 : 0.002, 0.0)).norm() < 1e-12);
+  }
+}
