@@ -192,6 +192,8 @@ AdaptionScene readAdaption(const TomlTable& table, double time_step) {
   adaption.cycles = table.integer("cycles", adaption.cycles, 1, 1000);
   adaption.settle = table.integer("settle", adaption.settle, 0, 1000000);
   adaption.verify = table.boolean("verify", adaption.verify);
+  if (!sequential && !adaption.verify)
+    table.refuse("verify", "mode = 'sequential' for it: passes verify by themselves");
   return adaption;
 }
 

@@ -170,9 +170,15 @@ TEST_CASE("a tube on a cylinder too thick for it adapts until it is within the l
     input.pose_names.assign(3, "cylinder");
     input.garment = tubeOn(0.08);
     input.offsets.assign(input.garment.positions.rows(), scene.collision.offset);
-    scene.body = BodyScene{input.pose_names, "", 20, false};
+    scene.body.emplace();
+    scene.body->poses = input.pose_names;
+    scene.body->steps = 20;
     scene.solver.gravity.setZero();
-    scene.adaption = AdaptionScene{limit, 4, 1, 80, false};
+    scene.adaption.emplace();
+    scene.adaption->mode = AdaptionMode::sequential;
+    scene.adaption->limit = limit;
+    scene.adaption->every = 4;
+    scene.adaption->settle = 80;
     Cloth cloth(input.garment, Vec3::UnitY(), scene.material);
     const double first = restCircumferences(cloth)[kAlong / 2];
     MovingBody body = movingBody(scene, input);

@@ -129,12 +129,13 @@ TEST_CASE("every method runs the whole job, and one thread and two write the sam
   const TemporaryDirectory directory;
   for (const std::string method : {"auto", "bw1", "newton", "pd", "pd-lbfgs"}) {
     INFO(method);
-    directory.write("dressed.toml",
-                    "[body]\nbuiltin = 'mannequin'\nposes = ['t', 'a']\nsteps = 4\n"
-                    "[garment]\nbuiltin = 't-shirt'\nvertices = 400\n[[garment.pin]]\nloop = 'neck'\n"
-                    "[material]\nbending = 1e-6\n[adaption]\nlimit = 0.02\nevery = 4\nverify = false\n"
-                    "[solver]\nmethod = '" +
-                        method + "'\n");
+    directory.write(
+        "dressed.toml",
+        "[body]\nbuiltin = 'mannequin'\nposes = ['t', 'a']\nsteps = 4\n"
+        "[garment]\nbuiltin = 't-shirt'\nvertices = 400\n[[garment.pin]]\nloop = 'neck'\n"
+        "[material]\nbending = 1e-6\n[adaption]\nmode = 'sequential'\nlimit = 0.02\nevery = 4\nverify = false\n"
+        "[solver]\nmethod = '" +
+            method + "'\n");
     for (const std::string threads : {"1", "2"}) {
       const Outcome outcome = runEase(directory, "run dressed.toml -o " + method + threads + " --threads " + threads);
       INFO(outcome.err);
@@ -210,7 +211,7 @@ TEST_CASE("garment writes a made garment with its loops, seams and pieces") {
     CHECK(std::filesystem::file_size(made / file) > 0);
   CHECK_THAT(contentOf(made / "garment.json"), Contains("\"name\": \"hem\"") && Contains("\"name\": \"left\""));
 
-  directory.write("run.toml", tube + "[solver]\nsteps_per_pose = 1\n[adaption]\nverify = false\n");
+  directory.write("run.toml", tube + "[solver]\nsteps_per_pose = 1\n[adaption]\nmode = 'sequential'\nverify = false\n");
   REQUIRE(runEase(directory, "run run.toml -o made").code == 0);
   const std::string pieces = contentOf(made / "rest_pieces.json");
   CHECK_THAT(pieces, StartsWith("{\"pieces\":2,"));

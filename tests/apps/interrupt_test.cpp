@@ -112,7 +112,7 @@ TEST_CASE("a run without output takes away the series that a killed one left") {
 
 TEST_CASE("a run that is killed before its tenth frame goes on to what an unbroken one gives") {
   const TemporaryDirectory directory;
-  const char* adaption = "[adaption]\nlimit = 0.02\nevery = 2\nverify = false\n";
+  const char* adaption = "[adaption]\nmode = 'sequential'\nlimit = 0.02\nevery = 2\nverify = false\n";
   writeScene(directory, 1000000, adaption);
   Started run(directory, kRun);
   run.waitUntil([&] { return fs::exists(directory.path / "there/checkpoint.bin"); });

@@ -124,7 +124,7 @@ TEST_CASE("made garment, run on a body and pieces: their files hold the arrays t
       "seed = [0, 1, 0.2]\n[[garment.boundary]]\nname = 'top'\nplane = {point = [0, 1.2, 0], normal = [0, 1, 0]}\n"
       "[[garment.boundary]]\nname = 'hem'\nplane = {point = [0, 0.9, 0], normal = [0, 1, 0]}\n"
       "[[garment.seam]]\nname = 'left'\nfrom = 'hem'\nto = 'top'\npoints = [[0.15, 1.05, 0]]\n"
-      "[solver]\nsteps_per_pose = 1\n[adaption]\nverify = false\n[output]\nevery = 1\n");
+      "[solver]\nsteps_per_pose = 1\n[adaption]\nmode = 'sequential'\nverify = false\n[output]\nevery = 1\n");
   Outcome outcome = runEase(directory, "garment tube.toml --pieces -o tube");
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);

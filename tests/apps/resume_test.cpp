@@ -14,12 +14,13 @@ TEST_CASE("a run that is stopped and goes on gives what an unbroken one gives, t
   const auto [method, friction] = GENERATE(table<std::string, std::string>({{"auto", "0.3"}, {"bw1", "0"}}));
   const TemporaryDirectory directory;
   const auto write = [&, &how = method, &mu = friction](const char* name, const char* poses) {
-    directory.write(name,
-                    std::string("name = 'dressed'\n[body]\nbuiltin = 'mannequin'\nposes = ") + poses +
-                        "\nsteps = 4\n[garment]\nbuiltin = 't-shirt'\nvertices = 400\n[[garment.pin]]\nloop = 'neck'\n"
-                        "[material]\nbending = 1e-6\n[adaption]\nlimit = 0.02\nevery = 4\nverify = false\n"
-                        "[output]\nevery = 4\n[solver]\nmethod = '" +
-                        how + "'\n[collision]\nfriction = " + mu + "\n");
+    directory.write(
+        name,
+        std::string("name = 'dressed'\n[body]\nbuiltin = 'mannequin'\nposes = ") + poses +
+            "\nsteps = 4\n[garment]\nbuiltin = 't-shirt'\nvertices = 400\n[[garment.pin]]\nloop = 'neck'\n"
+            "[material]\nbending = 1e-6\n[adaption]\nmode = 'sequential'\nlimit = 0.02\nevery = 4\nverify = false\n"
+            "[output]\nevery = 4\n[solver]\nmethod = '" +
+            how + "'\n[collision]\nfriction = " + mu + "\n");
   };
   write("whole.toml", "['t', 'a', 't']");
   write("half.toml", "['t', 'a']");  // as if the run had been stopped there
@@ -43,7 +44,7 @@ TEST_CASE("a run that goes on keeps to the way of the body, which may be longer 
   const auto resume = [&](const std::string& poses, const std::string& adaption, const std::string& arguments) {
     directory.write("on.toml", "[body]\nbuiltin = 'mannequin'\nposes = " + poses +
                                    "\nsteps = 2\n[garment]\nbuiltin = 't-shirt'\nvertices = 400\n[[garment.pin]]\n"
-                                   "loop = 'neck'\n[adaption]\nverify = false\n" +
+                                   "loop = 'neck'\n[adaption]\nmode = 'sequential'\nverify = false\n" +
                                    adaption + "[output]\nevery = 2\n[solver]\nmethod = 'bw1'\n");
     return runEase(directory, "run on.toml " + arguments);
   };
@@ -155,7 +156,8 @@ TEST_CASE("paint in a run that goes on scales the rest shape once, by what is mo
   REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
   int steps = 4;
   for (const auto& [scale, adaption] :
-       {std::pair(1.2, ""), std::pair(1.2, ""), std::pair(1.5, "[adaption]\nverify = false\n"), std::pair(1.0, "")}) {
+       {std::pair(1.2, ""), std::pair(1.2, ""), std::pair(1.5, "[adaption]\nmode = 'sequential'\nverify = false\n"),
+        std::pair(1.0, "")}) {
     steps += 4;
     const auto scene = writeHangingScene(directory, steps);
     std::ofstream(scene, std::ios::app) << "[[garment.paint]]\nat = [0.1, 1.1, 0]\nradius = 1\nscale = " << scale
@@ -173,7 +175,7 @@ TEST_CASE("paint in a run that goes on scales the rest shape once, by what is mo
 TEST_CASE("a run that was killed in its replays goes on with them, and leaves its series as they are") {
   const TemporaryDirectory directory;
   const auto scene = writeHangingCloth(directory, 8);
-  std::ofstream(scene, std::ios::app) << "[adaption]\n[output]\nevery = 2\n";
+  std::ofstream(scene, std::ios::app) << "[adaption]\nmode = 'sequential'\n[output]\nevery = 2\n";
   REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
   const auto whole = nlohmann::json::parse(contentOf(directory.path / "there/report.json"));
   const std::string series = contentOf(directory.path / "there/garment.pvd");
@@ -251,7 +253,8 @@ TEST_CASE("replays asked for after a run has ended are made") {
   const TemporaryDirectory directory;
   writeHangingCloth(directory, 8);
   const auto write = [&](const char* verify) {
-    std::ofstream(writeHangingScene(directory, 8), std::ios::app) << "[adaption]\nverify = " << verify << "\n";
+    std::ofstream(writeHangingScene(directory, 8), std::ios::app)
+        << "[adaption]\nmode = 'sequential'\nverify = " << verify << "\n";
   };
   write("false");
   REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);

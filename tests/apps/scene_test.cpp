@@ -66,6 +66,7 @@ offset = 0.004
 voxel = 0.006
 friction = 0.4
 [adaption]
+mode = 'sequential'
 limit = 0.09
 every = 4
 cycles = 2

@@ -77,6 +77,7 @@ gravity = [0, -9.81, 0]
 offset = 0.005
 voxel = 0.01
 [adaption]
+mode = 'sequential'
 limit = 0.1
 every = 2
 cycles = 1
