@@ -39,7 +39,7 @@ Fit::Fit(const RunSettings& settings, const FitSettings& fit, const RunInput& in
 void Fit::run(const FitWatch& watch) {
   if (!state_.next_rest.empty()) setMetric(state_.next_rest);
   do {
-    while (!state_.over && !isInterrupted(watch)) pass(watch);
+    while (!state_.over && passCount() < fit_.max_passes && !isInterrupted(watch)) pass(watch);
     if (isInterrupted(watch)) return;
   } while (!check(watch) && !isInterrupted(watch));
 }
@@ -52,7 +52,7 @@ Margin Fit::margin() const {
 }
 
 void Fit::pass(const FitWatch& watch) {
-  RunWatch run_watch = watch.of_pass ? watch.of_pass(static_cast<int>(state_.passes.size()) + 1) : RunWatch();
+  RunWatch run_watch = watch.of_pass ? watch.of_pass(passCount() + 1) : RunWatch();
   run_watch.interrupted = watch.interrupted;
   run_watch.on_stretch = [&](const std::vector<Stretch>& stretch) { demand_.add(cloth_, stretch, margin()); };
   Run run(settings_, input_, cloth_);
@@ -68,7 +68,7 @@ void Fit::pass(const FitWatch& watch) {
 
 /// Chooses the rest shape of the next pass, or ends the passes.
 void Fit::chooseNext() {
-  const int now = static_cast<int>(state_.passes.size()) - 1;
+  const int now = passCount() - 1;
   const double best_before = now == 0 ? INFINITY : share(state_.best);
   if (share(now) <= best_before) {
     state_.best = now;
@@ -77,7 +77,7 @@ void Fit::chooseNext() {
   const bool gains = share(now) < kGain * best_before;
   if (!gains && state_.tightenings < kMaxTightenings) ++state_.tightenings;
   const bool ends_by_itself = state_.tightenings == kMaxTightenings && now - state_.best >= kPassesWithoutGain;
-  state_.over = share(now) <= fit_.target || now + 1 >= fit_.max_passes || ends_by_itself;
+  state_.over = share(now) <= fit_.target || ends_by_itself;
   if (!state_.over) state_.over = !demand_.letOut(cloth_);
   state_.next_rest = cloth_.restEdges();
 }
@@ -90,6 +90,7 @@ bool Fit::check(const FitWatch& watch) {
   cloth_.setRest({stitcher.embed(cloth_), state_.best_rest});
   result_.embedding = metricError(cloth_, cloth_.restPositions());
 
+  demand_ = GrowthDemand(*settings_.limit);  // what follows must not depend on whether the last pass was resumed
   RunWatch run_watch = watch.of_check ? watch.of_check() : RunWatch();
   run_watch.interrupted = watch.interrupted;
   run_watch.on_stretch = [&](const std::vector<Stretch>& stretch) { demand_.add(cloth_, stretch, margin()); };
@@ -103,7 +104,7 @@ bool Fit::check(const FitWatch& watch) {
 
   const double worse = std::max(share(state_.best), result_.check.stretch.overall.share_over_limit);
   result_.target_met = worse <= fit_.target;
-  const int passes = static_cast<int>(state_.passes.size());
+  const int passes = passCount();
   if (result_.target_met) {
     result_.reason = "the target is met";
     return true;

@@ -38,7 +38,7 @@ struct FitState {
   std::vector<Mat2> best_rest;  // flat rest edges of that pass, m
   std::vector<Mat2> next_rest;  // of the next pass, m
   int tightenings = 0;          // how often the margin was widened (fit.cpp)
-  bool over = false;            // no pass is left to do
+  bool over = false;            // the passes ended by themselves
 };
 
 struct FitResult {
@@ -77,6 +77,7 @@ class Fit {
   void pass(const FitWatch& watch);
   void chooseNext();
   bool check(const FitWatch& watch);
+  int passCount() const { return static_cast<int>(state_.passes.size()); }
   double share(int pass) const { return state_.passes[pass].record.stretch.overall.share_over_limit; }
   Margin margin() const;
   void setMetric(const std::vector<Mat2>& edges) { cloth_.setRest({cloth_.restPositions(), edges}); }

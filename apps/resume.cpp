@@ -113,8 +113,8 @@ bool isAtEnd(const Checkpoint& checkpoint, const std::filesystem::path& director
   if (!isFinished(directory, replays || fitsInPasses(scene))) return false;
   if (!fitsInPasses(scene)) return timeline(adaptingSchedule(scene), checkpoint.run.done).empty();
   const FitState& fit = checkpoint.fit;
-  return fit.over && checkpoint.poses_met == posesOfWholeMotion(scene, input) &&
-         static_cast<int>(fit.passes.size()) <= scene.adaption->fit.max_passes;
+  const bool ended = fit.over || static_cast<int>(fit.passes.size()) >= scene.adaption->fit.max_passes;
+  return ended && checkpoint.poses_met == posesOfWholeMotion(scene, input);
 }
 
 bool isFinished(const std::filesystem::path& directory, bool with_replays) {

@@ -20,9 +20,10 @@ namespace ease {
 struct BodyScene {
   std::vector<std::string> poses;  // mesh files relative to the scene file, or names of the built-in body's poses
   std::string builtin;             // "mannequin"; empty: the poses are read from files
-  double seconds_per_pose = 0.6;   // s from one pose to the next; a single pose is held this long
-  int steps = Schedule().interpolation_steps;  // the same in interpolation steps
-  bool match_triangles = false;                // match = "triangles": match the poses' vertices by their triangles
+  int steps =
+      Schedule().interpolation_steps;  // interpolation steps from one pose to the next; a single pose is held this long
+  bool match_triangles = false;        // match = "triangles": match the poses' vertices by their triangles
+  double seconds_per_pose = 0.6;       // from one pose to the next, s; `steps` follow from it unless they are given
 };
 
 struct PinScene {
@@ -67,13 +68,13 @@ enum class AdaptionMode {
 };
 
 struct AdaptionScene {
-  AdaptionMode mode = AdaptionMode::passes;
   double limit = 0.1;  // delta: principal stretch at most 1 + delta
-  FitSettings fit;     // passes: target and number
   int every = 8;       // time steps between measurements of the stretch
   int cycles = 1;      // number of times that the motion is run through
   int settle = 0;      // additional time steps on the last pose
   bool verify = true;  // sequential: replay the motion with the first and with the adapted rest shape
+  AdaptionMode mode = AdaptionMode::passes;
+  FitSettings fit;  // passes: target and number
 };
 
 struct OutputScene {

@@ -207,3 +207,27 @@ TEST_CASE("the scenes that come with the project can be read") {
   }
   CHECK(count >= 6);
 }
+
+TEST_CASE("the program divides the motion into time steps unless the scene does") {
+  const std::string rest = "[garment]\nmesh = 's.obj'\n", body = "[body]\nposes = ['t.ply', 'a.ply']\n";
+  const auto check = [](const Scene& scene, double time_step, int steps_per_pose, int steps, int every) {
+    CHECK(scene.solver.time_step == Approx(time_step));
+    CHECK(scene.solver.steps_per_pose == steps_per_pose);
+    CHECK(scene.body->steps == steps);
+    if (scene.adaption) CHECK(scene.adaption->every == every);
+  };
+  check(sceneOf(body + rest), 0.0025, 4, 60, 0);
+  check(sceneOf(body + rest + "[adaption]\n"), 0.0125, 1, 48, 2);
+  check(sceneOf(body + "seconds_per_pose = 1.0\n" + rest + "[adaption]\n"), 0.0125, 1, 80, 2);
+  check(sceneOf(body + rest + "[adaption]\nmode = 'sequential'\n"), 0.0025, 4, 60, 8);
+  check(sceneOf(body + rest + "[solver]\ntime_step = 0.005\n[adaption]\n"), 0.005, 4, 30, 4);
+  check(sceneOf(body + "steps = 7\n" + rest + "[adaption]\n"), 0.0025, 4, 7, 8);
+  CHECK(sceneOf(body + rest + "[adaption]\n").solver.tolerance == Approx(0.2));
+  CHECK(sceneOf(body + rest + "[adaption]\n[solver]\ntolerance = 0.01\n").solver.tolerance == Approx(0.01));
+  CHECK_THAT(errorOf(body + "steps = 7\nseconds_per_pose = 1.0\n" + rest),
+             EndsWith("expected either seconds_per_pose or steps, not both"));
+  CHECK_THAT(errorOf(body + rest + "[adaption]\nmode = 'sequential'\ntarget = 0.01\n"),
+             EndsWith("expected mode = 'passes' for it"));
+  CHECK_THAT(errorOf(body + rest + "[adaption]\nverify = false\n"),
+             EndsWith("expected mode = 'sequential' for it: passes verify by themselves"));
+}

@@ -21,7 +21,8 @@ std::string scene(const std::string& garment, const std::string& poses) {
          "bending = 1e-6\ndamping = { stretch = 1, shear = 1, bending = 1e-6 }\n"
          "[solver]\nmethod = \"auto\"\ntolerance = 0.05\ntime_step = 0.0025\nsteps_per_pose = 2\n"
          "gravity = [0, -9.81, 0]\nthreads = 1\n[collision]\nvoxel = 0.01\nstiffness = 3e6\nfriction = 0.3\n"
-         "[adaption]\nmode = 'sequential'\nlimit = 0.1\nevery = 2\ncycles = 2\nsettle = 2\nverify = true\n[output]\nevery = 2\n";
+         "[adaption]\nmode = 'sequential'\nlimit = 0.1\nevery = 2\ncycles = 2\nsettle = 2\nverify = "
+         "true\n[output]\nevery = 2\n";
 }
 
 std::string hangingScene() {

@@ -92,7 +92,7 @@ Prepared letOut() {
   p.scene.body = BodyScene{p.input.pose_names, "", 20, false};
   p.scene.material.damping_stretch = 2.0;
   p.scene.solver.gravity.setZero();
-  p.scene.adaption = AdaptionScene{0.08, 8, 1, 16, false};
+  p.scene.adaption = AdaptionScene{0.08, 8, 1, 16, false, AdaptionMode::sequential, {}};
   return p;
 }
 

@@ -173,7 +173,7 @@ TEST_CASE(
   trial.scene.solver.gravity.setZero();
   trial.input.pins = {{24, 30}};  // or the sleeve slips off
   trial.scene.garment.pins.emplace_back();
-  trial.scene.adaption = AdaptionScene{0.05, 4, 200, 0, false};
+  trial.scene.adaption = AdaptionScene{0.05, 4, 200, 0, false, AdaptionMode::sequential, {}};
   trial.scene.body->steps = 4;
   trial.scene.solver.steps_per_pose = 2;
   double some = 0.0;
