@@ -9,6 +9,7 @@ namespace ease {
 
 namespace {
 
+constexpr double kRoundOff = 1e-9;   // of growth that has reached its bound
 constexpr int kSmoothingPasses = 1;  // two added 5 % more cloth to a shirt and left as many triangles over the limit
 
 }  // namespace
@@ -21,7 +22,7 @@ void GrowthDemand::add(const Cloth& cloth, const std::vector<Stretch>& stretch, 
     const Stretch& s = stretch[t];
     if (s.sigma_1 <= act_above) return;
     const double growth_left = kMaxGrowth / grownAlong(cloth, t, s.direction);
-    if (growth_left <= 1.0) {
+    if (growth_left <= 1.0 + kRoundOff) {
       if (s.sigma_1 > 1.0 + limit_) fully_grown_[t] = 1;
       return;
     }

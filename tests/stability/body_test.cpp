@@ -154,6 +154,7 @@ TEST_CASE("a strip that hangs by its own weight beyond the limit stops growing, 
   trial.scene.garment.pins.emplace_back();
   trial.scene.garment.pins.back().to_body = false;
   trial.scene.adaption.emplace();
+  trial.scene.adaption->mode = AdaptionMode::sequential;
   trial.scene.adaption->limit = 0.05;
   trial.scene.adaption->every = 2;
   trial.scene.adaption->settle = 1000;
