@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "adaption/stitch.h"
+#include "solver/base/error.h"
 #include "solver/base/joined.h"
 
 namespace ease {
@@ -38,10 +39,26 @@ Fit::Fit(const RunSettings& settings, const FitSettings& fit, const RunInput& in
 
 void Fit::run(const FitWatch& watch) {
   if (!state_.next_rest.empty()) setMetric(state_.next_rest);
-  do {
-    while (!state_.over && passCount() < fit_.max_passes && !isInterrupted(watch)) pass(watch);
-    if (isInterrupted(watch)) return;
-  } while (!check(watch) && !isInterrupted(watch));
+  try {
+    do {
+      while (!state_.over && passCount() < fit_.max_passes && !isInterrupted(watch)) pass(watch);
+    } while (!isInterrupted(watch) && !check(watch));
+  } catch (const ComputationError&) {
+    embed();
+    throw;
+  }
+  if (isInterrupted(watch)) embed();
+}
+
+void Fit::embed() {
+  const std::vector<Mat2> metric = cloth_.restEdges();
+  if (metric == cloth_.first().edges) {  // nothing grew: the surface that has this metric is known
+    cloth_.setRest(RestShape(cloth_.first()));
+    return;
+  }
+  Stitcher stitcher(cloth_, systemOrdering(cloth_.vertexCount(), cloth_.triangles()));
+  cloth_.setRest({stitcher.embed(cloth_), metric});
+  result_.embedding = metricError(cloth_, cloth_.restPositions());
 }
 
 Margin Fit::margin() const {
@@ -69,12 +86,13 @@ void Fit::pass(const FitWatch& watch) {
 /// Chooses the rest shape of the next pass, or ends the passes.
 void Fit::chooseNext() {
   const int now = passCount() - 1;
-  const double best_before = now == 0 ? INFINITY : share(state_.best);
+  const double best_before = state_.best_share;
   if (share(now) <= best_before) {
     state_.best = now;
+    state_.best_share = share(now);
     state_.best_rest = cloth_.restEdges();
   }
-  const bool gains = share(now) < kGain * best_before;
+  const bool gains = now == 0 || share(now) < kGain * best_before;
   if (!gains && state_.tightenings < kMaxTightenings) ++state_.tightenings;
   const bool ends_by_itself = state_.tightenings == kMaxTightenings && now - state_.best >= kPassesWithoutGain;
   state_.over = share(now) <= fit_.target || ends_by_itself;
@@ -86,9 +104,7 @@ void Fit::chooseNext() {
 /// then start from what this rest shape asked for.
 bool Fit::check(const FitWatch& watch) {
   setMetric(state_.best_rest);
-  Stitcher stitcher(cloth_, systemOrdering(cloth_.vertexCount(), cloth_.triangles()));
-  cloth_.setRest({stitcher.embed(cloth_), state_.best_rest});
-  result_.embedding = metricError(cloth_, cloth_.restPositions());
+  embed();
 
   demand_ = GrowthDemand(*settings_.limit);  // what follows must not depend on whether the last pass was resumed
   RunWatch run_watch = watch.of_check ? watch.of_check() : RunWatch();
@@ -102,14 +118,15 @@ bool Fit::check(const FitWatch& watch) {
   result_.check = run.record();
   result_.check_end = run.state().positions;
 
-  const double worse = std::max(share(state_.best), result_.check.stretch.overall.share_over_limit);
-  result_.target_met = worse <= fit_.target;
+  const bool pass_met_target = state_.best_share <= fit_.target;
+  state_.best_share = std::max(share(state_.best), result_.check.stretch.overall.share_over_limit);
+  result_.target_met = state_.best_share <= fit_.target;
   const int passes = passCount();
   if (result_.target_met) {
     result_.reason = "the target is met";
     return true;
   }
-  const bool passes_left = share(state_.best) <= fit_.target && passes < fit_.max_passes;
+  const bool passes_left = pass_met_target && passes < fit_.max_passes;
   if (passes_left && demand_.letOut(cloth_)) {
     state_.over = false;
     state_.next_rest = cloth_.restEdges();

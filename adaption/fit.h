@@ -35,6 +35,7 @@ struct FitState {
   std::vector<FitPass> passes;
   Positions first_end;          // of the garment at the end of the first pass, m
   int best = 0;                 // the pass with the smallest share over the limit
+  double best_share = 1.0;      // that share; once its rest shape was checked, the larger one of pass and check
   std::vector<Mat2> best_rest;  // flat rest edges of that pass, m
   std::vector<Mat2> next_rest;  // of the next pass, m
   int tightenings = 0;          // how often the margin was widened (fit.cpp)
@@ -66,7 +67,7 @@ class Fit {
   void resume(const FitState& from) { state_ = from; }
 
   /// Fits the cloth's rest shape.  Where it is interrupted, or throws ComputationError as Run::run() does, the cloth
-  /// has the rest shape of the pass that was not finished.
+  /// has the rest shape of the pass that was not finished, embedded too.
   void run(const FitWatch& watch);
 
   const FitState& state() const { return state_; }
@@ -77,6 +78,7 @@ class Fit {
   void pass(const FitWatch& watch);
   void chooseNext();
   bool check(const FitWatch& watch);
+  void embed();
   int passCount() const { return static_cast<int>(state_.passes.size()); }
   double share(int pass) const { return state_.passes[pass].record.stretch.overall.share_over_limit; }
   Margin margin() const;

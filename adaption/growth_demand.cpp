@@ -9,8 +9,8 @@ namespace ease {
 
 namespace {
 
-constexpr double kRoundOff = 1e-9;   // of growth that has reached its bound
-constexpr int kSmoothingPasses = 1;  // two added 5 % more cloth to a shirt and left as many triangles over the limit
+constexpr double kRoundOff = 1e-9;  // of growth that has reached its bound
+constexpr int kSmoothingPasses = 1;
 
 }  // namespace
 

@@ -113,6 +113,7 @@ void fitMembers(Bytes& bytes, F& fit) {
   });
   bytes.rows(fit.first_end);
   bytes.number(fit.best);
+  bytes.number(fit.best_share);
   bytes.array(fit.best_rest);
   bytes.array(fit.next_rest);
   bytes.number(fit.tightenings);

@@ -231,7 +231,6 @@ class Job {
   void recordFit(const Fit& fit) {
     report_.fit = fit.state();
     report_.fit_result = fit.result();
-    report_.time_to_fit_s = secondsSoFar();
     for (const FitPass& pass : fit.state().passes) report_.run += pass.record;
     if (interrupted_ || fit.result().reason.empty()) return;
     report_.before = fit.state().passes.front().record;
@@ -239,6 +238,7 @@ class Job {
     const PassRecord& check = fit.result().check;
     report_.after = check.stretch.overall.share_over_limit >= chosen.stretch.overall.share_over_limit ? check : chosen;
     report_.run.fully_grown = chosen.fully_grown;
+    report_.time_to_fit_s = secondsSoFar();
     report_.verified = true;
   }
 

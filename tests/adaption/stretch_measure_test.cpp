@@ -42,3 +42,15 @@ TEST_CASE("the share over the limit, the largest and the 99th percentile are cou
   CHECK(s.share_over_limit == Approx(49.0 / 200.0));
   CHECK(stretchStatistics({}, 0.1).max == 0.0);
 }
+
+TEST_CASE("sheared, compressed cloth with slack threads is crumpled, cloth with a stretched thread is taut") {
+  const double shear = 0.25;  // of FᵀF, threads unstretched: sigma_1² = 1 + shear
+  const Stretch crumpled = principalStretch((Mat2() << 1.0, shear, shear, 1.0).finished());
+  REQUIRE(crumpled.sigma_1 > 1.1);
+  CHECK(isCrumpled(crumpled, 0.1));
+  CHECK_FALSE(isCrumpled(principalStretch((Mat2() << 1.3, 0.0, 0.0, 0.8).finished()), 0.1));
+  CHECK_FALSE(isCrumpled(principalStretch((Mat2() << 1.0, 0.1, 0.1, 1.0).finished()), 0.1));  // within the limit
+  const StretchStatistics both = momentStatistics({crumpled, principalStretch(1.5 * Mat2::Identity())}, 0.1);
+  CHECK(both.share_over_limit == 1.0);
+  CHECK(both.taut_share_over_limit == 0.5);
+}
