@@ -4,16 +4,14 @@
 
 #include <chrono>
 #include <cstdio>
-#include <numeric>
 #include <optional>
 #include <string>
 
-#include "adaption/clip.h"
-#include "adaption/stitch.h"
 #include "apps/frames.h"
-#include "apps/garment_files.h"
+#include "apps/painted_rest.h"
 #include "apps/progress.h"
 #include "apps/report.h"
+#include "apps/rest_shape_files.h"
 #include "apps/result_directory.h"
 #include "apps/resume.h"
 #include "apps/run_pictures.h"
@@ -22,7 +20,6 @@
 #include "garment/paint.h"
 #include "solver/base/error.h"
 #include "solver/base/stopwatch.h"
-#include "solver/io/mesh_io.h"
 
 namespace ease {
 
@@ -34,20 +31,6 @@ constexpr double kShownStretch = 0.1;  // stretch marked in the pictures of a ru
 struct ShownReplay {
   ShownGarment start, end;
 };
-
-/// Measures the growth of every triangle: sigma_1 of the map from its first to its current rest shape.
-void measureGrowth(const std::vector<double>& first_areas, const Cloth& cloth, Report& report) {
-  std::vector<double> growth(cloth.triangleCount());
-  for (int t = 0; t < cloth.triangleCount(); ++t) {
-    const Mat2 map = cloth.restEdges()[t] * cloth.first().edges[t].inverse();
-    growth[t] = principalStretch(map.transpose() * map).sigma_1;
-  }
-  const auto sum = [](const std::vector<double>& areas) { return std::accumulate(areas.begin(), areas.end(), 0.0); };
-  const StretchStatistics statistics = stretchStatistics(growth, 0.0);
-  report.growth_max = statistics.max;
-  report.growth_p99 = statistics.p99;
-  report.growth_area_ratio = sum(cloth.restAreas()) / sum(first_areas);
-}
 
 class Job {
   using Clock = std::chrono::steady_clock;
@@ -110,7 +93,7 @@ class Job {
     if (resume_from_)
       cloth_->setFirst(resume_from_->first_rest);
     else if (!input_.paint.empty())
-      paintFirstRest();
+      paintFirstRest(input_.paint, *cloth_);
     first_areas_ = cloth_->restAreas();
     if (scene_.body) body_.emplace(movingBody(scene_, input_));
     report_.vertices = cloth_->vertexCount();
@@ -126,28 +109,6 @@ class Job {
                         static_cast<long>(timeline(adaptingSchedule(scene_)).size()));
     else
       progress_.emplace(static_cast<long>(momentsLeft().size()) + (verifies() ? 2 * replay_steps : 0));
-  }
-
-  Stitcher stitcher() const { return Stitcher(*cloth_, systemOrdering(cloth_->vertexCount(), cloth_->triangles())); }
-
-  void paintFirstRest() {
-    stitcher().rescale(*cloth_, input_.paint);
-    cloth_->setFirst(RestShape(cloth_->rest()));
-  }
-
-  /// Returns the state to resume from.  Scale factors that the scene paints and the earlier run had not yet applied are
-  /// applied to its rest shape.
-  RunState resumedState() {
-    RunState state = resume_from_->run;
-    const std::vector<double> more = paintBetween(resume_from_->paint, input_.paint);
-    if (more.empty()) return state;
-    Stitcher stitcher = this->stitcher();
-    cloth_->setRest(state.rest);
-    stitcher.restore(state.wanted_edges.empty() ? state.rest.edges : state.wanted_edges);
-    stitcher.rescale(*cloth_, more);
-    state.rest = cloth_->rest();
-    state.wanted_edges = stitcher.wanted();
-    return state;
   }
 
   RunWatch watch(const std::string& activity) {
@@ -174,7 +135,8 @@ class Job {
     };
     const RunInput run_input = runInput(scene_, input_, body());
     Run run(runSettings(scene_, adaptingSchedule(scene_)), run_input, *cloth_);
-    if (resume_from_) run.resume(resumedState());
+    if (resume_from_)
+      run.resume(withPaint(resume_from_->run, paintBetween(resume_from_->paint, input_.paint), *cloth_));
     const auto finish = [&] {
       report_.run = run.record();
       const Stopwatch total(report_.run.times.total), output(report_.run.times.output);
@@ -182,8 +144,14 @@ class Job {
       if (series) series->finish();
       writeRestShape();
     };
+    finishingAlways([&] { run.run(run_watch); }, finish);
+  }
+
+  /// Does the work, and then finishes, even if the work throws ComputationError.
+  template <class Work, class Finish>
+  static void finishingAlways(const Work& work, const Finish& finish) {
     try {
-      run.run(run_watch);
+      work();
     } catch (const ComputationError&) {
       finish();
       throw;
@@ -214,46 +182,18 @@ class Job {
       writeCheckpoint(directory_ / kCheckpoint, checkpointOf(start, state));
     };
     const auto finish = [&] {
-      recordFit(fit);
+      recordFit(fit, std::chrono::duration<double>(Clock::now() - begin_).count(), report_);
       if (series) series->finish();
       writeRestShape();
     };
-    try {
-      fit.run(fit_watch);
-    } catch (const ComputationError&) {
-      finish();
-      throw;
-    }
-    finish();
-    if (!interrupted_) showFit(fit);
-  }
-
-  void recordFit(const Fit& fit) {
-    report_.fit = fit.state();
-    report_.fit_result = fit.result();
-    for (const FitPass& pass : fit.state().passes) report_.run += pass.record;
-    if (interrupted_ || fit.result().reason.empty()) return;
-    report_.before = fit.state().passes.front().record;
-    const PassRecord& chosen = fit.state().passes[fit.state().best].record;
-    const PassRecord& check = fit.result().check;
-    report_.after = check.stretch.overall.share_over_limit >= chosen.stretch.overall.share_over_limit ? check : chosen;
-    report_.run.fully_grown = chosen.fully_grown;
-    report_.time_to_fit_s = secondsSoFar();
-    report_.verified = true;
-  }
-
-  /// Shows how the first pass and the check began and ended.
-  void showFit(const Fit& fit) {
+    finishingAlways([&] { fit.run(fit_watch); }, finish);
+    if (interrupted_) return;
     const RestShape fitted = cloth_->rest();
-    cloth_->setRest(RestShape(cloth_->first()));
-    before_ = {showGarment(*cloth_, input_.garment.positions), showGarment(*cloth_, fit.state().first_end)};
-    cloth_->setRest(fitted);
-    after_ = {showGarment(*cloth_, input_.garment.positions), showGarment(*cloth_, fit.result().check_end)};
+    before_ = shown(cloth_->first(), fit.state().first_end);
+    after_ = shown(fitted, fit.result().check_end);
   }
 
   std::optional<double> limit() const { return scene_.adaption ? std::optional(scene_.adaption->limit) : std::nullopt; }
-
-  double secondsSoFar() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
   Checkpoint checkpointOf(const RunState& state, const FitState& fit = {}) const {
     return {state,
@@ -269,13 +209,9 @@ class Job {
   }
 
   void writeRestShape() {
-    measureGrowth(first_areas_, *cloth_, report_);
-    report_.folded_edges = foldedEdges(*cloth_, cloth_->first().positions);
-    const Frame rest = restored(restFrame(*cloth_, first_areas_), numbering_.garment);
-    writeObj(directory_ / "rest_shape.obj", {rest.positions, given_.garment.triangles});
-    writeVtp(directory_ / "rest_shape.vtp", given_.garment.triangles, rest);
-    if (given_.authored && !given_.authored->seams.empty())
-      writePieces({rest.positions, given_.garment.triangles}, given_.authored->seams, directory_, "rest_pieces");
+    const RestShapeFigures figures = ease::writeRestShape(*cloth_, given_, numbering_.garment, directory_);
+    report_.growth = figures.growth;
+    report_.folded_edges = figures.folded_edges;
   }
 
   void replays() {
@@ -285,14 +221,20 @@ class Job {
     report_.verified = !interrupted_;
   }
 
-  void replay(const RestShape& rest, const char* activity, PassRecord& record, ShownReplay& shown) {
+  void replay(const RestShape& rest, const char* activity, PassRecord& record, ShownReplay& replay) {
     if (interrupted_) return;
     cloth_->setRest(rest);
     const RunInput run_input = runInput(scene_, input_, body());
     Run run(runSettings(scene_, replaySchedule(scene_)), run_input, *cloth_);
     run.run(watch(activity));
     record = run.record();
-    shown = {showGarment(*cloth_, input_.garment.positions), showGarment(*cloth_, run.state().positions)};
+    replay = shown(rest, run.state().positions);
+  }
+
+  /// Shows the start and the end of a replay on a rest shape, which the cloth then has.
+  ShownReplay shown(const RestShape& rest, const Positions& end) {
+    cloth_->setRest(RestShape(rest));
+    return {showGarment(*cloth_, input_.garment.positions), showGarment(*cloth_, end)};
   }
 
   /// Shows how the replays began and ended; without replays, how the run ended.
@@ -314,12 +256,7 @@ class Job {
   }
 
   void finishReport() {
-    for (const std::string& warning : depthWarnings(report_)) report_.warnings.push_back(warning);
-    if (report_.run.fully_grown > 0)
-      report_.warnings.push_back(
-          fmt::format("{} triangles are still over the limit at {:g} times their first length: a load stretches them, "
-                      "not the body's shape; is the cloth too weak for its weight, or pinned too far apart?",
-                      report_.run.fully_grown, kMaxGrowth));
+    for (const std::string& warning : runWarnings(report_)) report_.warnings.push_back(warning);
     report_.interrupted = interrupted_;
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
       std::fputs(fmt::format("ease: warning: {}\n", report_.warnings[k]).c_str(), stderr);

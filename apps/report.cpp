@@ -122,7 +122,7 @@ Json toJson(const Report& report, const Scene& scene) {
   if (report.verified && fitsInPasses(scene))
     json["rest_embedding"] = {{"mean", report.fit_result.embedding.mean}, {"p99", report.fit_result.embedding.p99}};
   json["rest_growth"] = {
-      {"max", report.growth_max}, {"p99", report.growth_p99}, {"area_ratio", report.growth_area_ratio}};
+      {"max", report.growth.max}, {"p99", report.growth.p99}, {"area_ratio", report.growth.area_ratio}};
   Penetration deepest = run.penetration;
   for (const PassRecord* pass : {&report.before, &report.after}) {
     deepest.vertices = std::max(deepest.vertices, pass->penetration.vertices);
@@ -167,11 +167,24 @@ Json toJson(const Report& report, const Scene& scene) {
 
 }  // namespace
 
+void recordFit(const Fit& fit, double wall_s, Report& report) {
+  report.fit = fit.state();
+  report.fit_result = fit.result();
+  for (const FitPass& pass : fit.state().passes) report.run += pass.record;
+  if (fit.result().reason.empty()) return;
+  report.before = fit.state().passes.front().record;
+  const PassRecord &chosen = fit.state().passes[fit.state().best].record, &check = fit.result().check;
+  report.after = check.stretch.overall.share_over_limit >= chosen.stretch.overall.share_over_limit ? check : chosen;
+  report.run.fully_grown = chosen.fully_grown;
+  report.time_to_fit_s = wall_s;
+  report.verified = true;
+}
+
 void writeReport(const Report& report, const Scene& scene, const std::filesystem::path& directory) {
   writeWholeFile(directory / "report.json", toJson(report, scene).dump(2) + "\n");
 }
 
-std::vector<std::string> depthWarnings(const Report& report) {
+std::vector<std::string> runWarnings(const Report& report) {
   constexpr double kMaxDepth = 2e-3;  // m: deeper penetration causes a warning
   std::vector<std::string> warnings;
   const auto warn = [&](const char* garment, const Penetration& depth, const char* when) {
@@ -180,6 +193,11 @@ std::vector<std::string> depthWarnings(const Report& report) {
   };
   if (report.verified) warn("the adapted garment", report.after.penetration, ", replayed");
   warn("the garment", report.run.penetration, report.limit > 0.0 ? " while it was adapted" : "");
+  if (report.run.fully_grown > 0)
+    warnings.push_back(
+        fmt::format("{} triangles are still over the limit at {:g} times their first length: a load stretches them, "
+                    "not the body's shape; is the cloth too weak for its weight, or pinned too far apart?",
+                    report.run.fully_grown, kMaxGrowth));
   return warnings;
 }
 
@@ -211,7 +229,7 @@ std::string summaryText(const Report& report) {
                         report.time_to_fit_s.value_or(0.0), report.fit_result.reason);
   if (report.limit > 0.0)
     text += fmt::format("rest shape: area {:+.2f} %, largest growth {:.2f} times, 99 % below {:.2f}\n",
-                        100.0 * (report.growth_area_ratio - 1.0), report.growth_max, report.growth_p99);
+                        100.0 * (report.growth.area_ratio - 1.0), report.growth.max, report.growth.p99);
   if (report.pose_names.empty()) return text;
   if (report.verified) text += depthLine(", adapted garment replayed", report.after.penetration);
   if (run.steps > 0) text += depthLine(report.limit > 0.0 ? ", while adapting" : "", run.penetration);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "adaption/pass_record.h"
+#include "apps/rest_shape_files.h"
 #include "apps/scene.h"
 
 namespace ease {
@@ -24,20 +25,23 @@ struct Report {
   FitResult fit_result;
   std::optional<double> time_to_fit_s;  // from the start to the verified rest shape
   int folded_edges = 0;                 // in the adapted rest shape (stitch.h)
-  double growth_max = 1.0, growth_p99 = 1.0, growth_area_ratio = 1.0;
+  RestGrowth growth;
   double setup_s = 0.0, total_s = 0.0;
   bool interrupted = false;
   std::string failure;  // where and why the computation failed; empty if it did not
   std::vector<std::string> warnings;
 };
 
+/// Records the passes of a fit, and, if it has ended, the replays before and after.  `wall_s`: since the start, s.
+void recordFit(const Fit& fit, double wall_s, Report& report);
+
 /// Writes report.json into the directory under a temporary name and then renames it.  Throws ComputationError naming
 /// the file.
 void writeReport(const Report& report, const Scene& scene, const std::filesystem::path& directory);
 
 /// Returns warnings, one line each, if the garment penetrated deep into the body during the run or during the replay of
-/// the adapted garment.
-std::vector<std::string> depthWarnings(const Report& report);
+/// the adapted garment, or if triangles that have grown as far as they may are over the limit.
+std::vector<std::string> runWarnings(const Report& report);
 
 /// Returns the summary of a few lines that the program prints at the end.
 std::string summaryText(const Report& report);

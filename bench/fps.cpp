@@ -88,7 +88,11 @@ void registerAll(bool quick, const std::filesystem::path& data) {
   std::vector<int> sizes = {1000, 2000, 4000, 10000, 30000, 100000};
   if (quick) sizes = {1000, 4000};
   Scene scene = readScene(source / "scenes" / "t-shirt.toml");
-  scene.adaption->mode = AdaptionMode::sequential;  // a run that adapts, not a pass of a fit
+  // A run that adapts on the way, in the small steps and the fast motion that its figures have always had.
+  scene.adaption->mode = AdaptionMode::sequential;
+  scene.adaption->every = 8;
+  scene.solver = SolverScene();
+  scene.body->steps = 30;
   for (int n : sizes) {
     scene.garment.vertices = n;
     const JobLimits here = n < kLarge ? limits : kOfLarge;

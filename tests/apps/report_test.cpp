@@ -44,10 +44,10 @@ TEST_CASE("the summary tells how deep the adapted garment goes into the body, an
 
 TEST_CASE("a garment that goes deep into the body is warned of, in its replay as in the run") {
   Report report = verifiedReport();
-  CHECK(depthWarnings(report) == std::vector<std::string>{"the adapted garment went 3.0 mm into the body, replayed"});
+  CHECK(runWarnings(report) == std::vector<std::string>{"the adapted garment went 3.0 mm into the body, replayed"});
   report.run.penetration.centroids = 5e-3;
-  CHECK(depthWarnings(report).back() == "the garment went 5.0 mm into the body while it was adapted");
+  CHECK(runWarnings(report).back() == "the garment went 5.0 mm into the body while it was adapted");
   report.verified = false;
   report.limit = 0.0;
-  CHECK(depthWarnings(report) == std::vector<std::string>{"the garment went 5.0 mm into the body"});
+  CHECK(runWarnings(report) == std::vector<std::string>{"the garment went 5.0 mm into the body"});
 }
