@@ -13,10 +13,7 @@ namespace ease {
 namespace {
 
 constexpr double kDisturbance = 1e-5;  // m: of the start of the check
-constexpr int kMaxTightenings = 2;     // more of them made more cloth crumple, and more triangles exceed the limit
-constexpr double kTightening = 0.1;    // share of the limit by which the margin is widened at a time
-constexpr double kGain = 0.7;  // a pass gains where its share over the limit is below this times the best before
-constexpr int kPassesWithoutGain = 3;  // after that many with the widest margin the fit ends
+constexpr int kPassesWithoutGain = 3;  // after that many the fit ends
 
 double areaOf(const Cloth& cloth) {
   return std::accumulate(cloth.restAreas().begin(), cloth.restAreas().end(), 0.0);
@@ -61,17 +58,10 @@ void Fit::embed() {
   result_.embedding = metricError(cloth_, cloth_.restPositions());
 }
 
-Margin Fit::margin() const {
-  Margin margin;
-  margin.act_above -= kTightening * state_.tightenings;
-  margin.goal -= kTightening * state_.tightenings;
-  return margin;
-}
-
 void Fit::pass(const FitWatch& watch) {
   RunWatch run_watch = watch.of_pass ? watch.of_pass(passCount() + 1) : RunWatch();
   run_watch.interrupted = watch.interrupted;
-  run_watch.on_stretch = [&](const std::vector<Stretch>& stretch) { demand_.add(cloth_, stretch, margin()); };
+  run_watch.on_stretch = [&](const std::vector<Stretch>& stretch) { demand_.add(cloth_, stretch); };
   Run run(settings_, input_, cloth_);
   run.run(run_watch);
   if (isInterrupted(watch)) return;
@@ -86,16 +76,12 @@ void Fit::pass(const FitWatch& watch) {
 /// Chooses the rest shape of the next pass, or ends the passes.
 void Fit::chooseNext() {
   const int now = passCount() - 1;
-  const double best_before = state_.best_share;
-  if (share(now) <= best_before) {
+  if (share(now) <= state_.best_share) {
     state_.best = now;
     state_.best_share = share(now);
     state_.best_rest = cloth_.restEdges();
   }
-  const bool gains = now == 0 || share(now) < kGain * best_before;
-  if (!gains && state_.tightenings < kMaxTightenings) ++state_.tightenings;
-  const bool ends_by_itself = state_.tightenings == kMaxTightenings && now - state_.best >= kPassesWithoutGain;
-  state_.over = share(now) <= fit_.target || ends_by_itself;
+  state_.over = share(now) <= fit_.target || now - state_.best >= kPassesWithoutGain;
   if (!state_.over) state_.over = !demand_.letOut(cloth_);
   state_.next_rest = cloth_.restEdges();
 }
@@ -109,7 +95,7 @@ bool Fit::check(const FitWatch& watch) {
   demand_ = GrowthDemand(*settings_.limit);  // what follows must not depend on whether the last pass was resumed
   RunWatch run_watch = watch.of_check ? watch.of_check() : RunWatch();
   run_watch.interrupted = watch.interrupted;
-  run_watch.on_stretch = [&](const std::vector<Stretch>& stretch) { demand_.add(cloth_, stretch, margin()); };
+  run_watch.on_stretch = [&](const std::vector<Stretch>& stretch) { demand_.add(cloth_, stretch); };
   RunInput input = input_;
   input.start = disturbed(input_.start);
   Run run(settings_, input, cloth_);

@@ -38,7 +38,6 @@ struct FitState {
   double best_share = 1.0;      // that share; once its rest shape was checked, the larger one of pass and check
   std::vector<Mat2> best_rest;  // flat rest edges of that pass, m
   std::vector<Mat2> next_rest;  // of the next pass, m
-  int tightenings = 0;          // how often the margin was widened (fit.cpp)
   bool over = false;            // the passes ended by themselves
 };
 
@@ -81,7 +80,6 @@ class Fit {
   void embed();
   int passCount() const { return static_cast<int>(state_.passes.size()); }
   double share(int pass) const { return state_.passes[pass].record.stretch.overall.share_over_limit; }
-  Margin margin() const;
   void setMetric(const std::vector<Mat2>& edges) { cloth_.setRest({cloth_.restPositions(), edges}); }
 
   const RunSettings settings_;

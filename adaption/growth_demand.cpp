@@ -14,10 +14,10 @@ constexpr int kSmoothingPasses = 1;
 
 }  // namespace
 
-void GrowthDemand::add(const Cloth& cloth, const std::vector<Stretch>& stretch, const Margin& margin) {
+void GrowthDemand::add(const Cloth& cloth, const std::vector<Stretch>& stretch) {
   growth_.resize(stretch.size(), Mat2::Identity());
   fully_grown_.resize(stretch.size(), 0);
-  const double act_above = 1.0 + margin.act_above * limit_, goal = 1.0 + margin.goal * limit_;
+  const double act_above = 1.0 + kActAbove * limit_, goal = 1.0 + kGoal * limit_;
   parallelFor(cloth.triangleCount(), 512, [&](int t) {
     const Stretch& s = stretch[t];
     if (s.sigma_1 <= act_above) return;

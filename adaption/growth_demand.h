@@ -15,10 +15,8 @@
 
 namespace ease {
 
-/// Strains, as shares of the limit: cloth that is stretched above `act_above` grows until it is stretched to `goal`.
-struct Margin {
-  double act_above = 0.7, goal = 0.5;
-};
+/// Strains, as shares of the limit: cloth that is stretched above the first grows until it is stretched to the second.
+constexpr double kActAbove = 0.7, kGoal = 0.5;
 
 class GrowthDemand {
  public:
@@ -26,7 +24,7 @@ class GrowthDemand {
   explicit GrowthDemand(double limit) : limit_(limit) {}
 
   /// Adds what a moment asks for.
-  void add(const Cloth& cloth, const std::vector<Stretch>& stretch, const Margin& margin);
+  void add(const Cloth& cloth, const std::vector<Stretch>& stretch);
 
   /// Gives the cloth the metric that the moments asked for, averaged over neighbours (rest_metric.h), and forgets the
   /// moments.  Returns whether any triangle grew.

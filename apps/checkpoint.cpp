@@ -17,7 +17,7 @@ namespace ease {
 
 namespace {
 
-constexpr std::string_view kKind = "ease checkpoint ", kVersion = "6\n";
+constexpr std::string_view kKind = "ease checkpoint ", kVersion = "7\n";
 
 // Size of the file's header: kind, version, and the fingerprint of everything that follows, which is the members.
 constexpr size_t kHeader = kKind.size() + kVersion.size() + sizeof(std::uint64_t);
@@ -116,7 +116,6 @@ void fitMembers(Bytes& bytes, F& fit) {
   bytes.number(fit.best_share);
   bytes.array(fit.best_rest);
   bytes.array(fit.next_rest);
-  bytes.number(fit.tightenings);
   bytes.number(fit.over);
 }
 

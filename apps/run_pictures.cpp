@@ -1,24 +1,35 @@
 #include "apps/run_pictures.h"
 
-#include "adaption/stretch_measure.h"
+#include <fmt/format.h>
+
+#include <limits>
+
 #include "viz/picture.h"
 
 namespace ease {
 
 ShownGarment showGarment(const Cloth& cloth, const Positions& x) {
-  std::vector<Stretch> stretch;
-  measureStretch(cloth, x, stretch);
   ShownGarment shown{{x, cloth.triangles()}, {}};
-  for (const Stretch& s : stretch) shown.sigma_1.push_back(static_cast<float>(s.sigma_1));
+  measureStretch(cloth, x, shown.stretch);
   return shown;
 }
 
 std::string drawGarments(const std::filesystem::path& file, const std::vector<ShownColumn>& columns,
                          const TriangleMesh& body, double limit) {
   std::vector<StretchView> views;
-  for (const ShownColumn& column : columns)
-    views.push_back(
-        {column.title, &column.garment->mesh, column.garment->sigma_1, body.triangles.rows() > 0 ? &body : nullptr});
+  for (const ShownColumn& column : columns) {
+    const std::vector<Stretch>& stretch = column.garment->stretch;
+    const StretchStatistics statistics = momentStatistics(stretch, limit);
+    StretchView view{column.title, &column.garment->mesh, {}, body.triangles.rows() > 0 ? &body : nullptr};
+    for (const Stretch& s : stretch)
+      view.values.push_back(isCrumpled(s, limit) ? std::numeric_limits<float>::quiet_NaN()
+                                                 : static_cast<float>(s.sigma_1));
+    view.summary = fmt::format("largest {:.2f}, {:.2f} % of triangles over the limit", statistics.max,
+                               100.0 * statistics.share_over_limit);
+    if (statistics.taut_share_over_limit < statistics.share_over_limit)
+      view.summary += fmt::format(", {:.2f} % taut (crumpled: grey)", 100.0 * statistics.taut_share_over_limit);
+    views.push_back(view);
+  }
   return drawStretch(file, views, "largest principal stretch", 1.0, 1.0 + 2.0 * limit, 1.0 + limit);
 }
 

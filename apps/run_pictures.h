@@ -1,18 +1,18 @@
-// Pictures of a run: the garment on the body, coloured by the larger principal stretch sigma_1.
+// Pictures of a run: the garment on the body, coloured by its larger principal stretch.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "solver/model/cloth.h"
+#include "adaption/stretch_measure.h"
 
 namespace ease {
 
 /// A garment to be drawn in a picture.
 struct ShownGarment {
   TriangleMesh mesh;
-  std::vector<float> sigma_1;  // larger principal stretch of every triangle
+  std::vector<Stretch> stretch;  // of every triangle
 };
 
 /// Returns the cloth at positions `x`, with its stretch relative to the current rest shape.
@@ -25,7 +25,8 @@ struct ShownColumn {
 };
 
 /// Draws the garments side by side, each on `body`, which may be empty.  The colour scale ends at twice `limit` and
-/// shows the limit.  Returns an empty string, or the reason why no picture could be made.
+/// shows the limit; crumpled triangles (stretch_measure.h) are grey.  Returns an empty string, or the reason why no
+/// picture could be made.
 std::string drawGarments(const std::filesystem::path& file, const std::vector<ShownColumn>& columns,
                          const TriangleMesh& body, double limit);
 

@@ -23,6 +23,7 @@ constexpr double kMeasuringInterval = 0.02;  // s, between measurements of the s
 // default they are as long, and as rough, as pays.
 constexpr double kPassTimeStep = 0.0125;  // s
 constexpr double kPassTolerance = 0.2;
+constexpr double kPassCompression = 0.05;
 
 BodyScene readBody(const TomlTable& table) {
   table.allow({"poses", "builtin", "seconds_per_pose", "steps", "match"});
@@ -102,8 +103,8 @@ void readDamping(const TomlTable& table, Material& material) {
 }
 
 Material readMaterial(const TomlTable& table) {
-  table.allow(
-      {"density", "total_mass", "membrane", "stretch", "shear", "shear_form", "mu", "lambda", "bending", "damping"});
+  table.allow({"density", "total_mass", "membrane", "stretch", "compression", "shear", "shear_form", "mu", "lambda",
+               "bending", "damping"});
   Material material;
   if (table.has("density") && table.has("total_mass"))
     table.refuse("total_mass", "either density or total_mass, not both");
@@ -112,7 +113,7 @@ Material readMaterial(const TomlTable& table) {
 
   const bool woven = table.choice("membrane", "woven", {"woven", "isotropic"}) == "woven";
   material.membrane = woven ? Membrane::woven : Membrane::isotropic;
-  for (const char* key : {"stretch", "shear", "shear_form"})
+  for (const char* key : {"stretch", "compression", "shear", "shear_form"})
     if (!woven && table.has(key)) table.refuse(key, "mu and lambda, since the membrane is isotropic");
   for (const char* key : {"mu", "lambda"})
     if (woven && table.has(key)) table.refuse(key, "membrane = 'isotropic' for it");
@@ -129,6 +130,7 @@ Material readMaterial(const TomlTable& table) {
   } else if (table.has("stretch")) {
     material.stretch_warp = material.stretch_weft = table.number("stretch", 0.0, membrane);
   }
+  material.compression = table.number("compression", material.compression, {0.0, 1.0, false, ""});
   material.shear = table.number("shear", material.shear, membrane);
   material.bending = table.number("bending", material.bending, {0.0, 1e3, false, "N m"});
   if (woven && material.stretch_warp + material.stretch_weft + material.shear + material.bending == 0.0)
@@ -255,7 +257,8 @@ Scene readScene(const std::filesystem::path& file) {
   const auto garment = root.table("garment");
   if (!garment) root.refuse("garment", "a table [garment] with a mesh or a builtin garment");
   scene.garment = readGarment(*garment, scene.body);
-  if (const auto material = root.table("material")) scene.material = readMaterial(*material);
+  const auto material = root.table("material");
+  if (material) scene.material = readMaterial(*material);
   if (const auto solver = root.table("solver"))
     scene.solver = readSolver(*solver, scene.body.has_value());
   else if (!scene.body)
@@ -267,6 +270,7 @@ Scene readScene(const std::filesystem::path& file) {
   if (scene.garment.comfort_offset) scene.collision.offset = *scene.garment.comfort_offset;
   divideMotion(root, scene);
   if (const auto adaption = root.table("adaption")) scene.adaption = readAdaption(*adaption, scene.solver.time_step);
+  if (fitsInPasses(scene) && !(material && material->has("compression"))) scene.material.compression = kPassCompression;
   if (const auto output = root.table("output")) scene.output = readOutput(*output);
   checkLength(root, scene);
   return scene;

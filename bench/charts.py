@@ -41,6 +41,31 @@ def draw_fps(directory, cases):
     return [(stem, "The main job: moving body, contact, adaption every 8th step. Setting up is not counted.")]
 
 
+def draw_rest_shape(directory, cases):
+    """Two panels for each garment: error of the rest shape, and share over the limit, against time."""
+    rows = []
+    for garment in dict.fromkeys(c.fields["garment"] for c in cases.values()):
+        row = []
+        for key, label, factor, least in (("error", "error of the rest edges, RMS, %", 100, 1e-3),
+                                          ("share_over_limit", "triangles over the limit in one replay, %", 100, 1e-2)):
+            curves = {}
+            for case in cases.values():
+                if case.runs and case.fields["garment"] == garment:
+                    name = "{method} {tolerance:g}, {ms:g} ms".format(ms=1e3 * case.fields["h"], **case.fields)
+                    y = max(factor * case.median(key), least)
+                    if key == "error" and y == least:
+                        continue  # the reference itself
+                    curves.setdefault(name, []).append((1e-3 * case.median("ms"), y, y, y))
+            row.append(Panel(f"{garment}: {label}", curves, y_label="%", y_range="0.008:100"))
+        rows.append(row)
+    stem = directory / "rest_shape"
+    draw(stem, "Error of the rest shape against wall time", "s, of the passes until then", "", rows,
+         panel_size=(430, 300), small=True,
+         note="a point a pass; method, tolerance, time step; error against the last rest shape of auto 0.01, 2.5 ms")
+    return [(stem, "A fit lets the rest shape out after every pass. Each point is the rest shape after so many passes; "
+                   "0.01 % over the limit means none.")]
+
+
 def draw_phases(directory, cases):
     """Two panels: what a step's parts take, and what share of the bound they reach."""
     taken, share = {}, {}
@@ -87,6 +112,29 @@ def draw_stability(directory, cases):
               "where that is less")
     return [(stem, "The first steps from the start of each sheet, every method with its defaults; the sheets touch "
                    "nothing.")]
+
+
+def draw_contact_stability(directory, cases):
+    """A map for each method: time step across, speed of the plate or its thickness up."""
+    rows = []
+    for key, unit in (("speed", "m/s"), ("thickness", "m")):
+        row = []
+        for method, chosen in by_method([c for c in cases.values() if c.fields["map"] == key]).items():
+            panel = Panel(f"{method}, {key}, {unit}", {grade: [] for grade in reversed(GRADES)},
+                          y_range="0.05:20" if key == "speed" else "0.0003:0.1")
+            for case in chosen:
+                value = case.fields[key]
+                panel.curves[GRADES[int(case.median("grade"))]].append((case.fields["h"], value, value, value))
+            row.append(panel)
+        rows.append(row)
+    stem = directory / "contact_stability"
+    draw(stem, "Where methods let cloth through: a plate pushes a free sheet", "time step, s",
+         "speed of the plate; its thickness", rows, x_range="0.0007:0.05", lines=False, panel_size=(165, 190),
+         small=True, tics="set xtics ('1/960' 1/960., '1/240' 1/240., '1/60' 1/60.) font ',8'",
+         bare_tics="set xtics ('' 1/960., '' 1/240., '' 1/60.)",
+         note="converged: at most 0.1 mm deep, no vertex faster than 3 times the plate; failed: stopped, or cloth "
+              "behind the plate's front")
+    return [(stem, "The plate is 20 mm thick in the upper row and moves at 1 m/s in the lower; voxels of 10 mm.")]
 
 
 def draw_drape(directory, cases):

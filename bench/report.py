@@ -153,10 +153,13 @@ def main():
 SECTIONS = [
     ("Speed against accuracy", "speed_accuracy", [work_precision.draw_step, work_precision.draw_trajectory],
      [step_tables.iso_error, step_tables.trajectories, step_tables.other_errors, step_tables.set_up]),
+    ("The rest shape against time", "rest_shape", [charts.draw_rest_shape], [tables.rest_shape]),
     ("The scene drape-2pin", "drape_2pin", [charts.draw_drape, work_precision.draw_step], [tables.drape]),
     ("Time steps per second against vertices", "fps", [charts.draw_fps], [tables.fps]),
     ("Where the time goes", "phases", [charts.draw_phases], [tables.phases]),
     ("Where methods fail", "stability", [charts.draw_stability], [tables.stability]),
+    ("Where methods let cloth through", "contact_stability", [charts.draw_contact_stability],
+     [tables.contact_stability]),
     ("Damaged inputs", "fuzz", [], [tables.fuzz]),
 ]
 

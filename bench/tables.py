@@ -100,6 +100,29 @@ def drape(cases):
             + table(["code", "32²", "64²", "100²"], OTHERS) + iso_error(cases))
 
 
+def rest_shape(cases):
+    rows = []
+    for c in cases.values():
+        where = f"{c.fields['garment']} {c.fields['method']} {c.fields['tolerance']:g} {1e3 * c.fields['h']:g} ms"
+        values = ["", "", "", c.error]
+        if c.runs:
+            values = [f"{1e-3 * c.median('ms'):.2f}", f"{100 * c.median('error'):.2f}",
+                      f"{100 * c.median('share_over_limit'):.2f}", ""]
+        rows.append([where, f"{c.fields['pass']:g}", *values])
+    return table(["fit", "passes", "s", "error, %", "over the limit, %", "no result"], rows)
+
+
+def contact_stability(cases):
+    rows = []
+    for key in ("speed", "thickness"):
+        for method in dict.fromkeys(c.fields["method"] for c in cases.values()):
+            chosen = [c for c in cases.values() if c.fields["map"] == key and c.fields["method"] == method]
+            grades = [int(c.median("grade")) for c in chosen]
+            depths = [c.median("depth_mm") for c in chosen if c.values("depth_mm")]
+            rows.append([f"{key} {method}", *(grades.count(g) for g in (2, 1, 0)), f"{max(depths, default=0):.2g}"])
+    return table(["map", "converged", "degraded", "failed", "deepest, mm"], rows)
+
+
 def stability(cases):
     rows = []
     for sheet in dict.fromkeys(c.fields["sheet"] for c in cases.values()):

@@ -23,6 +23,9 @@ void MembraneEnergy::begin(const Positions& start, double h) {
   }
   const Springs s = springs(0);
   stiffness_ = {s.warp.k, s.weft.k, s.shear.k};
+  if (material.membrane == Membrane::woven)
+    softening_ = {(1.0 - material.compression) * material.stretch_warp,
+                  (1.0 - material.compression) * material.stretch_weft};
   has_springs_ = s.warp.k > 0.0 || s.weft.k > 0.0 || s.shear.k > 0.0;
 }
 
@@ -58,8 +61,8 @@ FrameHessian MembraneEnergy::hessian(const Mat32& F, int t, HessianKind kind) co
   if (s.shear.k > 0.0)
     h += material.shear_form == ShearForm::bw98 ? bw98ShearHessian(F, s.shear, kind)
                                                 : orthogonalShearHessian(F, s.shear, kind);
-  h.uu += stretchHessian(F.col(0), s.warp, kind);
-  h.vv += stretchHessian(F.col(1), s.weft, kind);
+  h.uu += stretchHessian(F.col(0), s.warp, kind, softening_.warp);
+  h.vv += stretchHessian(F.col(1), s.weft, kind, softening_.weft);
   return h;
 }
 

@@ -38,8 +38,8 @@ class MembraneEnergy {
     const Material& material = cloth_.material();
     Lanes psi = Lanes::Zero();
     if (has_springs_) {
-      psi += addStretch(F.u, stiffness_.warp, rest.warp, stress.u);
-      psi += addStretch(F.v, stiffness_.weft, rest.weft, stress.v);
+      psi += addStretch(F.u, stiffness_.warp, rest.warp, stress.u, softening_.warp);
+      psi += addStretch(F.v, stiffness_.weft, rest.weft, stress.v, softening_.weft);
       psi += material.shear_form == ShearForm::bw98 ? addBw98Shear(F, stiffness_.shear, rest.shear, stress)
                                                     : addOrthogonalShear(F, stiffness_.shear, rest.shear, stress);
     }
@@ -68,6 +68,9 @@ class MembraneEnergy {
 
   const Cloth& cloth_;
   Stiffness stiffness_;
+  struct {
+    double warp = 0.0, weft = 0.0;
+  } softening_;  // under compression (stretch.h), N/m
   bool has_springs_ = false;
   double damping_stretch_ = 0.0, damping_shear_ = 0.0;  // damping divided by h, N/m
   std::vector<Eigen::Vector3d> start_conditions_;       // |f_u|, |f_v| and shear per triangle; empty without damping

@@ -16,6 +16,7 @@ struct Material {
   Membrane membrane = Membrane::woven;
   double stretch_warp = 800.0;  // N/m, woven
   double stretch_weft = 800.0;  // N/m, woven
+  double compression = 1.0;     // share of the stretch stiffness that compressed threads have, 0 to 1, woven
   double shear = 200.0;         // N/m, woven
   ShearForm shear_form = ShearForm::orthogonal;
   double mu = 400.0;             // N/m, isotropic

@@ -9,31 +9,11 @@
 #include "adaption/stitch.h"
 #include "apps/scene_run.h"
 #include "tests/accuracy/equilibrium.h"
-#include "tests/accuracy/meshes.h"
-#include "tests/collision/bodies.h"
-#include "tests/sheet.h"
+#include "tests/accuracy/tube.h"
 
 using namespace ease;
 
 namespace {
-
-constexpr double kOffset = 0.005;  // m
-constexpr int kAround = 48, kAlong = 12;
-
-// A capsule about the y axis whose round ends are far from the cloth; the same triangles for every radius.
-TriangleMesh cylinder(double radius) {
-  TriangleMesh body = bodies::capsule(0.15, 0.1, 24);
-  body.positions.col(0) *= radius / 0.1;
-  body.positions.col(2) *= radius / 0.1;
-  return body;
-}
-
-// A tube on a cylinder of this radius, from y = -0.06 m to 0.06 m.
-TriangleMesh tubeOn(double radius) {
-  TriangleMesh tube = makeTube(kAround, kAlong, radius + kOffset, 0.12);
-  tube.positions.col(1).array() -= 0.06;
-  return tube;
-}
 
 void shrinkAround(Cloth& cloth, double factor) {
   Positions rest = cloth.restPositions();
@@ -44,18 +24,10 @@ void shrinkAround(Cloth& cloth, double factor) {
   cloth.setRest({rest, edges});
 }
 
-// Lengths of all rings at rest: their weft edges.
-std::vector<double> restCircumferences(const Cloth& cloth) {
-  std::vector<double> lengths(kAlong, 0.0);
-  for (int t = 0; t < cloth.triangleCount(); t += 2)  // a, a + around, b
-    lengths[t / (2 * kAround)] += cloth.restEdges()[t].col(1).norm();
-  return lengths;
-}
-
 double ringLength(const Positions& x, int ring) {
   double length = 0.0;
-  for (int i = 0; i < kAround; ++i)
-    length += (x.row(ring * kAround + i) - x.row(ring * kAround + (i + 1) % kAround)).norm();
+  for (int i = 0; i < kTubeAround; ++i)
+    length += (x.row(ring * kTubeAround + i) - x.row(ring * kTubeAround + (i + 1) % kTubeAround)).norm();
   return length;
 }
 
@@ -71,7 +43,7 @@ class Cylinder {
   FindContacts contacts() {
     return [this](const Positions& x, Contacts& contacts) {
       cloth_.samples().positions(x, samples_);
-      finder_.find(body_.at(0.0), samples_, std::vector<double>(samples_.size(), kOffset), 0.01, contacts);
+      finder_.find(body_.at(0.0), samples_, std::vector<double>(samples_.size(), kTubeOffset), 0.01, contacts);
     };
   }
 
@@ -114,16 +86,17 @@ TEST_CASE("a taut tube presses on a cylinder with its tension over the radius") 
   std::vector<double> pressure;
   step.potential().contactPressure(state.positions, pressure);
   double mean = 0.0, distance = 0.0, spread = 0.0;
-  const int rings = kAlong - 3;  // not those near the open ends
+  const int rings = kTubeAlong - 3;  // not those near the open ends
   for (int j = 2; j < 2 + rings; ++j)
-    for (int i = 0; i < kAround; ++i) {
-      mean += pressure[j * kAround + i] / (rings * kAround);
-      const Vec3 x = state.positions.row(j * kAround + i);
-      distance += std::hypot(x[0], x[2]) / (rings * kAround);
+    for (int i = 0; i < kTubeAround; ++i) {
+      mean += pressure[j * kTubeAround + i] / (rings * kTubeAround);
+      const Vec3 x = state.positions.row(j * kTubeAround + i);
+      distance += std::hypot(x[0], x[2]) / (rings * kTubeAround);
     }
   for (int j = 2; j < 2 + rings; ++j)
-    for (int i = 0; i < kAround; ++i) spread = std::max(spread, std::abs(pressure[j * kAround + i] / mean - 1.0));
-  const double tension = material.stretch_weft * (distance / (radius + kOffset) * stretch - 1.0);
+    for (int i = 0; i < kTubeAround; ++i)
+      spread = std::max(spread, std::abs(pressure[j * kTubeAround + i] / mean - 1.0));
+  const double tension = material.stretch_weft * (distance / (radius + kTubeOffset) * stretch - 1.0);
   CHECK(mean == Approx(tension / distance).epsilon(1e-3));
   CHECK(spread < 0.06);
 }
@@ -149,10 +122,11 @@ TEST_CASE("clipped at the limit itself, a tube grows to the thickest cylinder's 
       if (grows) stitcher.stitch(cloth, growth);
     }
     CHECK_FALSE(grows);
-    thickest = std::max(thickest, ringLength(state.positions, kAlong / 2));
+    thickest = std::max(thickest, ringLength(state.positions, kTubeAlong / 2));
   }
-  CHECK(restCircumferences(cloth)[kAlong / 2] == Approx(thickest / (1.0 + limit)).epsilon(5e-4));
-  CHECK(thickest == Approx(2.0 * M_PI * (0.1 + kOffset)).epsilon(3e-3));  // pressed in a little, and of straight edges
+  CHECK(restCircumferences(cloth)[kTubeAlong / 2] == Approx(thickest / (1.0 + limit)).epsilon(5e-4));
+  CHECK(thickest ==
+        Approx(2.0 * M_PI * (0.1 + kTubeOffset)).epsilon(3e-3));  // pressed in a little, and of straight edges
 }
 
 TEST_CASE("a tube on a cylinder too thick for it adapts until it is within the limit, whatever came first") {
@@ -180,14 +154,14 @@ TEST_CASE("a tube on a cylinder too thick for it adapts until it is within the l
     scene.adaption->every = 4;
     scene.adaption->settle = 80;
     Cloth cloth(input.garment, Vec3::UnitY(), scene.material);
-    const double first = restCircumferences(cloth)[kAlong / 2];
+    const double first = restCircumferences(cloth)[kTubeAlong / 2];
     MovingBody body = movingBody(scene, input);
     const RunInput run_input = runInput(scene, input, &body);
     Run run(runSettings(scene, adaptingSchedule(scene)), run_input, cloth);
     run.run();
-    adapted.push_back(restCircumferences(cloth)[kAlong / 2]);
+    adapted.push_back(restCircumferences(cloth)[kTubeAlong / 2]);
     // Adaption acts above one stretch, less than 1 + limit, and lets out to another, less than that (StretchGoal).
-    const double thickest = 2.0 * M_PI * (0.1 + kOffset);
+    const double thickest = 2.0 * M_PI * (0.1 + kTubeOffset);
     const StretchGoal goal = stretchGoal(limit, adapted.back() / first);
     CHECK(adapted.back() > thickest / (1.0 + limit));
     CHECK(adapted.back() > 0.995 * thickest / goal.act_above);
@@ -195,102 +169,4 @@ TEST_CASE("a tube on a cylinder too thick for it adapts until it is within the l
     CHECK(run.record().stretch.overall.max > 1.0 + 0.7 * limit);
   }
   CHECK(adapted[0] == Approx(adapted[1]).epsilon(0.01));
-}
-
-namespace {
-
-/// A tube on cylinders of these radii in turn, without gravity, to be fitted in passes.
-struct TubeFit {
-  Scene scene;
-  SceneInput input;
-  std::optional<MovingBody> body;
-  RunInput run_input;
-  RunSettings settings;
-
-  explicit TubeFit(const std::vector<double>& radii) {
-    for (const double radius : radii) {
-      input.poses.push_back(cylinder(radius).positions);
-      input.body_triangles = cylinder(radius).triangles;
-    }
-    input.pose_names.assign(radii.size(), "cylinder");
-    input.garment = tubeOn(0.08);
-    input.offsets.assign(input.garment.positions.rows(), CollisionScene().offset);
-    scene.body.emplace();
-    scene.body->poses = input.pose_names;
-    scene.body->steps = 24;
-    scene.solver.time_step = 0.0125;
-    scene.solver.steps_per_pose = 1;
-    scene.solver.gravity.setZero();
-    scene.adaption.emplace();
-    scene.adaption->every = 2;
-    body.emplace(movingBody(scene, input));
-    run_input = runInput(scene, input, &*body);
-    settings = runSettings(scene, adaptingSchedule(scene));
-  }
-
-  Cloth cloth() const { return Cloth(input.garment, Vec3::UnitY(), scene.material); }
-  Fit fit(Cloth& cloth) const { return Fit(settings, scene.adaption->fit, run_input, cloth); }
-};
-
-}  // namespace
-
-TEST_CASE("fitted in passes, a tube has one rest shape whatever order it meets two cylinders in, and keeps the limit") {
-  const double thickest = 2.0 * M_PI * (0.1 + kOffset);
-  std::vector<std::vector<Mat2>> fitted;
-  for (const bool thick_first : {true, false}) {
-    const TubeFit tube(thick_first ? std::vector<double>{0.08, 0.1, 0.09} : std::vector<double>{0.08, 0.09, 0.1});
-    const double limit = tube.scene.adaption->limit;
-    Cloth cloth = tube.cloth();
-    Fit fit = tube.fit(cloth);
-    FitState after_first;
-    FitWatch watch;
-    watch.on_pass = [&](const FitState& state) {
-      if (state.passes.size() == 1) after_first = state;
-    };
-    fit.run(watch);
-    CHECK(fit.result().target_met);
-    CHECK(fit.result().check.stretch.overall.max < 1.0 + limit);
-    CHECK(fit.result().embedding.p99 < 0.01);
-    const double around = restCircumferences(cloth)[kAlong / 2];
-    CHECK(around > thickest / (1.0 + limit));
-    CHECK(around < 1.005 * thickest / (1.0 + Margin().goal * limit));
-    fitted.push_back(cloth.restEdges());
-
-    Cloth later = tube.cloth();
-    Fit resumed = tube.fit(later);
-    resumed.resume(after_first);
-    resumed.run({});
-    CHECK(later.restEdges() == cloth.restEdges());
-    CHECK(resumed.state().passes.size() == fit.state().passes.size());
-  }
-  double sum = 0.0;
-  for (size_t t = 0; t < fitted[0].size(); ++t)
-    sum += std::pow(fitted[0][t].col(1).norm() / fitted[1][t].col(1).norm() - 1.0, 2);
-  CHECK(std::sqrt(sum / static_cast<double>(fitted[0].size())) < 0.01);
-}
-
-TEST_CASE("a tube that no cylinder stretches keeps its rest shape to the last bit, after one pass and the check") {
-  const TubeFit tube({0.08, 0.079});
-  Cloth cloth = tube.cloth();
-  Fit fit = tube.fit(cloth);
-  fit.run({});
-  CHECK(fit.state().passes.size() == 1);
-  CHECK(fit.result().target_met);
-  CHECK(cloth.restEdges() == cloth.first().edges);
-  CHECK(cloth.restPositions() == cloth.first().positions);
-}
-
-TEST_CASE("a fit that is interrupted leaves a rest shape that is embedded, and no result") {
-  const TubeFit tube({0.08, 0.1});
-  Cloth cloth = tube.cloth();
-  Fit fit = tube.fit(cloth);
-  std::atomic<bool> interrupted = false;
-  FitWatch watch;
-  watch.interrupted = &interrupted;
-  watch.on_pass = [&](const FitState&) { interrupted = true; };
-  fit.run(watch);
-  CHECK(fit.state().passes.size() == 1);
-  CHECK(fit.result().reason.empty());
-  CHECK(cloth.restEdges() == fit.state().next_rest);
-  CHECK(metricError(cloth, cloth.restPositions()).p99 < 0.01);
 }

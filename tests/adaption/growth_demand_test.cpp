@@ -26,15 +26,14 @@ Positions scaled(const TriangleMesh& sheet, double along_x, double along_y) {
 
 TEST_CASE("a sheet pulled in two directions in turn grows to what holds both, in either order") {
   const TriangleMesh sheet = makeSheet(6, 6, 0.2, 0.2);
-  const Margin margin{0.7, 0.5};
   const double limit = 0.1, goal = 1.0 + 0.5 * limit;
   std::vector<std::vector<Mat2>> rests;
   for (const bool x_first : {true, false}) {
     Cloth cloth(sheet, Vec3::UnitX(), Material());
     GrowthDemand demand(limit);
     const Positions along_x = scaled(sheet, 1.3, 0.95), along_y = scaled(sheet, 0.95, 1.2);
-    demand.add(cloth, stretchOf(cloth, x_first ? along_x : along_y), margin);
-    demand.add(cloth, stretchOf(cloth, x_first ? along_y : along_x), margin);
+    demand.add(cloth, stretchOf(cloth, x_first ? along_x : along_y));
+    demand.add(cloth, stretchOf(cloth, x_first ? along_y : along_x));
     REQUIRE(demand.letOut(cloth));
     for (int t = 0; t < cloth.triangleCount(); ++t) {
       const Mat2 map = cloth.restEdges()[t] * cloth.first().edges[t].inverse();
@@ -51,7 +50,7 @@ TEST_CASE("cloth that asks for nothing keeps its rest shape to the last bit") {
   const TriangleMesh sheet = makeSheet(8, 8, 0.2, 0.2);
   Cloth cloth(sheet, Vec3::UnitX(), Material());
   GrowthDemand demand(0.1);
-  demand.add(cloth, stretchOf(cloth, 1.02 * sheet.positions), {});
+  demand.add(cloth, stretchOf(cloth, 1.02 * sheet.positions));
   CHECK_FALSE(demand.letOut(cloth));
   CHECK(cloth.restEdges() == cloth.first().edges);
 }
@@ -62,8 +61,7 @@ TEST_CASE("cloth that grew as far as it may asks for no more and is counted") {
   GrowthDemand demand(0.1);
   for (int pass = 0; pass < 20; ++pass) {  // a load that stretches it by half, however long it is
     demand.add(cloth,
-               stretchOf(cloth, scaled(sheet, 1.5 * cloth.restEdges()[0](0, 0) / cloth.first().edges[0](0, 0), 1.0)),
-               {});
+               stretchOf(cloth, scaled(sheet, 1.5 * cloth.restEdges()[0](0, 0) / cloth.first().edges[0](0, 0), 1.0)));
     if (pass == 19) CHECK(demand.fullyGrown() == cloth.triangleCount());
     demand.letOut(cloth);
   }

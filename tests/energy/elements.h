@@ -54,15 +54,17 @@ inline std::vector<Element> elements() {
   const Spring damped_stretch = damped({800.0, 1.0}, 300.0, 1.2), shear{200.0, 0.0};
   const Spring damped_shear = damped(shear, 100.0, 0.9);
   std::vector<Element> all;
-  const auto addStretches = [&all](const Spring& stretch) {
-    all.push_back(
-        {"stretch", [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, stretch.c, P.u); },
-         [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, Lanes(Lanes::Constant(stretch.c)), P.u); },
-         [=](const Mat32& F, HessianKind kind) {
-           FrameHessian h;
-           h.uu = stretchHessian(F.col(0), stretch, kind);
-           return h;
-         }});
+  const auto addStretches = [&all](const Spring& stretch, double softening = 0.0) {
+    all.push_back({"stretch",
+                   [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, stretch.c, P.u, softening); },
+                   [=](const auto& F, auto& P) {
+                     return addStretch(F.u, stretch.k, Lanes(Lanes::Constant(stretch.c)), P.u, softening);
+                   },
+                   [=](const Mat32& F, HessianKind kind) {
+                     FrameHessian h;
+                     h.uu = stretchHessian(F.col(0), stretch, kind, softening);
+                     return h;
+                   }});
   };
   addStretches({800.0, 1.0});
   for (const Spring& spring : {shear, damped_shear}) {
@@ -76,6 +78,7 @@ inline std::vector<Element> elements() {
          [=](const Mat32& F, HessianKind kind) { return bw98ShearHessian(F, spring, kind); }});
   }
   addStretches(damped_stretch);
+  addStretches(damped_stretch, 700.0);
   for (const double lambda : {0.0, 300.0})
     all.push_back({"isotropic", [=](const auto& F, auto& P) { return addIsotropic(F, 400.0, lambda, P); },
                    [=](const auto& F, auto& P) { return addIsotropic(F, 400.0, lambda, P); },

@@ -4,8 +4,10 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "solver/energy/membrane.h"
 #include "tests/differences.h"
 #include "tests/energy/elements.h"
+#include "tests/sheet.h"
 
 using namespace ease;
 
@@ -126,4 +128,26 @@ TEST_CASE("cloth flattened to a line or a point has a finite energy and stress")
       CHECK(element.stress(F).allFinite());
       CHECK(element.whole(F, HessianKind::projected).allFinite());
     }
+}
+
+TEST_CASE("of the stretch stiffness, compressed cloth has the share that its material says") {
+  Material material;
+  material.compression = 0.1;
+  const Cloth cloth(makeSheet(1, 1, 0.1, 0.1), Vec3::UnitX(), material);
+  MembraneEnergy membrane(cloth);
+  membrane.begin(cloth.restPositions(), 0.01);
+  RestConditions rest;
+  for (int lane = 0; lane < kLanes; ++lane) membrane.setRestConditions(0, lane, rest);
+  for (const double stretch : {0.8, 1.2}) {
+    Mat32 F = Mat32::Zero();
+    F(0, 0) = stretch;
+    F(1, 1) = 1.0;
+    const auto lanes = [](double value) { return Lanes(Lanes::Constant(value)); };
+    const Deformation<Lanes> eight{{lanes(stretch), lanes(0.0), lanes(0.0)}, {lanes(0.0), lanes(1.0), lanes(0.0)}};
+    Deformation<Lanes> stress{{lanes(0.0), lanes(0.0), lanes(0.0)}, {lanes(0.0), lanes(0.0), lanes(0.0)}};
+    const double stiffness = (stretch < 1.0 ? 0.1 : 1.0) * material.stretch_warp;
+    CHECK(membrane.add(eight, rest, stress)[0] == Approx(0.5 * stiffness * 0.04));
+    CHECK(stress.u.x[0] == Approx(stiffness * (stretch - 1.0)));
+    CHECK(membrane.hessian(F, 0, HessianKind::exact).uu(0, 0) == Approx(stiffness));
+  }
 }

@@ -36,6 +36,20 @@ TEST_CASE("across a thread its tension stiffens, and its push is left out of the
   CHECK(stiffness(0.4, HessianKind::projected, across) == 0.0);
 }
 
+TEST_CASE("a softened thread pushes less and pulls as hard") {
+  const double softening = 760.0;
+  const auto force = [&](double length) {
+    Column<double> stress{0.0, 0.0, 0.0};
+    addStretch(Column<double>{length, 0.0, 0.0}, 800.0, 1.0, stress, softening);
+    return stress.x;
+  };
+  CHECK(force(1.3) == Approx(240.0));
+  CHECK(force(0.7) == Approx(-12.0));
+  const Mat3 slack = stretchHessian(0.7 * Vec3::UnitX(), {800.0, 1.0}, HessianKind::exact, softening);
+  CHECK(slack(0, 0) == Approx(40.0));
+  CHECK(slack(1, 1) == Approx(-12.0 / 0.7));
+}
+
 TEST_CASE("damping adds the force of the condition's rate") {
   const double damping_over_h = 300.0, start = 1.2, now = 1.1;
   const Spring with = damped({800.0, 1.0}, damping_over_h, start);
