@@ -20,17 +20,24 @@ constexpr double kMaxMotionOverOffset = 0.5;    // in a part of a time step
 
 }  // namespace
 
-double bodyMotionPerStep(const Schedule& schedule, const std::vector<Positions>& poses, const Positions& garment) {
+double bodyMotionPerStep(const Schedule& schedule, const Triangles& body, const std::vector<Positions>& poses,
+                         const Positions& garment) {
   if (poses.size() < 2) return 0.0;
   Eigen::AlignedBox3d near_garment;
   for (int i = 0; i < garment.rows(); ++i) near_garment.extend(garment.row(i).transpose());
   near_garment.min().array() -= kMargin;
   near_garment.max().array() += kMargin;
+  std::vector<char> is_near(poses.front().rows(), 0);
+  for (int t = 0; t < body.rows(); ++t) {
+    Eigen::AlignedBox3d triangle;
+    for (int corner = 0; corner < 3; ++corner) triangle.extend(poses.front().row(body(t, corner)).transpose());
+    if (!near_garment.intersects(triangle)) continue;
+    for (int corner = 0; corner < 3; ++corner) is_near[body(t, corner)] = 1;
+  }
   double furthest = 0.0;  // from a pose to the next, m
   for (size_t p = 0; p + 1 < poses.size(); ++p)
     for (int i = 0; i < poses.front().rows(); ++i)
-      if (near_garment.contains(Vec3(poses.front().row(i))))
-        furthest = std::max(furthest, (poses[p + 1].row(i) - poses[p].row(i)).norm());
+      if (is_near[i]) furthest = std::max(furthest, (poses[p + 1].row(i) - poses[p].row(i)).norm());
   return furthest / (schedule.interpolation_steps * schedule.steps_per_pose);
 }
 

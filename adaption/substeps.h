@@ -13,8 +13,9 @@ struct Substeps {
   int interpolation = 1;  // parts of an interpolation step, so that a level set's band reaches to the next
 };
 
-/// How far the body's surface near the garment moves in a time step, at most, m.
-double bodyMotionPerStep(const Schedule& schedule, const std::vector<Positions>& poses, const Positions& garment);
+/// How far the body's triangles that are near the garment at the start move in a time step, at most, m.
+double bodyMotionPerStep(const Schedule& schedule, const Triangles& body, const std::vector<Positions>& poses,
+                         const Positions& garment);
 
 /// Chooses the parts so that the body's surface moves by at most half the comfort offset (or 2.5 mm where the offset is
 /// below 5 mm) in a part of a time step, and by 3 cm in a part of an interpolation step.  `body_motion`: in a time

@@ -14,7 +14,7 @@ constexpr double kBeyondComfort = 0.025;  // m: width beyond the comfort offset 
 constexpr int kDefaultInterval = 8;       // time steps between measurements by default
 
 double bodyMotion(const Scene& scene, const SceneInput& input) {
-  return bodyMotionPerStep(replaySchedule(scene), input.poses, input.garment.positions);
+  return bodyMotionPerStep(replaySchedule(scene), input.body_triangles, input.poses, input.garment.positions);
 }
 
 }  // namespace

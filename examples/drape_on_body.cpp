@@ -39,7 +39,7 @@ int main() {
 
   // The body in motion, its level sets exact up to 25 mm beyond the comfort offset.  Where it moves far in a time step,
   // the step is divided.
-  input.body_motion = ease::bodyMotionPerStep(settings.schedule, poses, shirt.positions);
+  input.body_motion = ease::bodyMotionPerStep(settings.schedule, t_pose.triangles, poses, shirt.positions);
   const ease::Substeps substeps = ease::chooseSubsteps(settings.schedule, input.body_motion, settings.comfort_offset);
   ease::MovingBody body(t_pose.triangles, poses, settings.schedule.interpolation_steps * substeps.interpolation,
                         {.voxel = 0.01, .band = 0.025 + settings.comfort_offset});

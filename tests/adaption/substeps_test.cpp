@@ -27,17 +27,22 @@ Substeps substepsOfRise(double rise, double offset) {
 }  // namespace
 
 TEST_CASE("a body's motion is that of its surface near the garment, in a time step") {
-  const Positions garment = makeSheet(4, 4, 0.2, 0.2).positions;
+  const TriangleMesh sheet = makeSheet(4, 4, 0.2, 0.2);
+  const Positions& garment = sheet.positions;
   std::vector<Positions> poses = {garment, garment};
   poses[1].col(1).array() += 0.4;
-  CHECK(bodyMotionPerStep(twoPoses(), poses, garment) == Approx(0.01));
+  CHECK(bodyMotionPerStep(twoPoses(), sheet.triangles, poses, garment) == Approx(0.01));
   poses[0].conservativeResize(poses[0].rows() + 1, 3);
   poses[1].conservativeResize(poses[1].rows() + 1, 3);
   poses[0].bottomRows(1) << 5.0, 0.0, 0.0;  // far away, and fast
   poses[1].bottomRows(1) << 5.0, 9.0, 0.0;
-  CHECK(bodyMotionPerStep(twoPoses(), poses, garment) == Approx(0.01));
+  CHECK(bodyMotionPerStep(twoPoses(), sheet.triangles, poses, garment) == Approx(0.01));
+  poses[0] *= 100.0;  // triangles far larger than the garment, with corners far from it
+  poses[1] = poses[0];
+  poses[1].col(1).array() += 0.4;
+  CHECK(bodyMotionPerStep(twoPoses(), sheet.triangles, poses, garment) == Approx(0.01));
   poses.pop_back();
-  CHECK(bodyMotionPerStep(twoPoses(), poses, garment) == 0.0);
+  CHECK(bodyMotionPerStep(twoPoses(), sheet.triangles, poses, garment) == 0.0);
 }
 
 TEST_CASE("a time step is divided so that the body moves by half the offset at most in a part") {
