@@ -10,6 +10,7 @@
 #include "apps/pattern_pictures.h"
 #include "garment/pattern/dxf_file.h"
 #include "garment/pattern/paper_tiles.h"
+#include "garment/pattern/sew_line.h"
 #include "garment/pattern/sheet.h"
 #include "garment/pattern/svg_file.h"
 #include "solver/base/whole_file.h"
@@ -61,6 +62,11 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
 
 void drawPattern(const Scene& scene, MadePattern& made) {
   made.pieces = drawPieces(made.flat, scene.pattern.allowances);
+  const std::vector<double> lengths = drawnLengths(made.flat);
+  for (SeamSides& sides : made.flat.seams) {
+    sides.left_length = lengths[sides.left];
+    sides.right_length = lengths[sides.right];
+  }
   const double width = 1e3 * scene.pattern.fabric_width;
   made.sheet = drawSheet(scene.name, made.pieces, width);
   made.cloth_length_mm = clothLength(made.pieces, width);

@@ -70,7 +70,7 @@ std::string drawSheetPicture(const Scene& scene, const MadePattern& made, const 
       if (line.ink == Ink::grain) view.lines.push_back(viewLine(line.points, false, Ink::grain));
     if (!piece.texts.empty()) {
       const PaperPoint at = piece.texts.front().at;
-      view.labels.push_back({{1e-3 * at.x(), 1e-3 * at.y(), 0.0}, piece.name});
+      view.labels.push_back({{1e-3 * at.x(), 1e-3 * at.y(), 0.0}, piece.name, 13});
     }
   }
   view.title = scene.name + ": sewing pattern";

@@ -34,7 +34,7 @@ Allowances readAllowances(const TomlTable& table) {
 
 PatternScene readPattern(const TomlTable& table) {
   table.allow({"thread_limit", "shear_limit", "share", "darts", "allowance", "fabric_width", "paper", "formats", "piece",
-               "let_out"});
+               "check", "let_out"});
   PatternScene pattern;
   pattern.limits.thread = table.number("thread_limit", pattern.limits.thread, {0.0, 1.0, true, ""});
   const double degrees = table.number("shear_limit", 180.0 / M_PI * pattern.limits.shear, {0.0, 60.0, true, "degrees"});
@@ -52,6 +52,7 @@ PatternScene readPattern(const TomlTable& table) {
   for (const std::string& format : pattern.formats)
     if (std::find(known.begin(), known.end(), format) == known.end())
       table.refuse("formats", "some of " + listWords(known) + "; '" + format + "' is none of them");
+  pattern.check = table.boolean("check", pattern.check);
   pattern.let_out = table.integer("let_out", pattern.let_out, 0, 20);
   for (const TomlTable& piece : table.tables("piece")) {
     piece.allow({"name", "at"});

@@ -19,7 +19,8 @@ struct PatternScene {
   double fabric_width = 1.40;  // m
   std::string paper = "a4";    // or "letter"
   std::vector<std::string> formats = {"svg", "pdf", "dxf", "json"};
-  int let_out = 4;  // rounds of letting out on the paper, at most
+  bool check = true;  // simulate the garment sewn from the pattern
+  int let_out = 4;    // rounds of letting out on the paper, at most
 };
 
 /// Reads [pattern].  Throws InputError as the other tables of a scene do.

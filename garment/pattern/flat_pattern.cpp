@@ -138,6 +138,12 @@ FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& re
   again.mended += flattened.mended;
   again.iterations += flattened.iterations;
   measure(settings, again);
+  again.warnings = pattern.warnings;
+  for (size_t p = 0; p < again.pieces.size(); ++p) {
+    const int flipped = again.pieces[p].strain.flipped;
+    again.pieces[p].strain = pattern.pieces[p].strain;
+    again.pieces[p].strain.flipped = flipped;
+  }
   return again;
 }
 

@@ -70,7 +70,7 @@ struct FlatPattern {
 /// ComputationError where triangles are degenerate.
 FlatPattern flattenGarment(const RestGarment& garment, const FlatSettings& settings);
 
-/// Flattens the same pieces for another rest shape, from where they are.
+/// Flattens the same pieces for another rest shape, from where they are.  Their strain stays that of the first one.
 FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges,
                          const FlatSettings& settings);
 

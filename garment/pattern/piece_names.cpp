@@ -48,7 +48,10 @@ const char* frontOrBack(const Place& place) {
 }
 
 std::string ownName(const Place& place) {
-  if (place.loops.size() == 1 && !isOfTrunk(*place.loops.begin())) return *place.loops.begin();
+  if (place.loops.size() == 1 && !isOfTrunk(*place.loops.begin())) {
+    const std::string& loop = *place.loops.begin();
+    return loop == "left" || loop == "right" ? loop + " sleeve" : loop;
+  }
   if (std::abs(place.normal.x()) > 1.5 * std::abs(place.normal.z())) return place.normal.x() > 0 ? "left" : "right";
   return frontOrBack(place);
 }

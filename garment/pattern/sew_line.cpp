@@ -6,13 +6,14 @@ namespace ease {
 namespace {
 
 constexpr double kMillimetres = 1000.0;  // in a metre
-constexpr int kSmoothings = 60;
+constexpr int kSmoothings = 8;          // of an edge
+constexpr int kSmoothingsOfOpening = 60;  // of a line along edges of the mesh
 constexpr double kAlike = 2.0;  // mm: how far mirror images may differ
 constexpr int kSamples = 200;   // points along an outline that are compared
 
 /// Moves inner points to the middle of their neighbours and themselves, again and again.
-void smooth(std::vector<PaperPoint>& points) {
-  for (int pass = 0; pass < kSmoothings; ++pass) {
+void smooth(int passes, std::vector<PaperPoint>& points) {
+  for (int pass = 0; pass < passes; ++pass) {
     const std::vector<PaperPoint> before = points;
     for (size_t i = 1; i + 1 < points.size(); ++i)
       points[i] = 0.25 * before[i - 1] + 0.5 * before[i] + 0.25 * before[i + 1];
@@ -79,7 +80,7 @@ SewLine sewLine(const FlatPattern& pattern, int piece, const Allowances& allowan
     drawn.is_folded = edge.line < 0;
     drawn.is_dart = isDartLeg(pattern.cut, e);
     if (drawn.is_dart) drawn.width = 0.0;
-    if (edge.kind == LineKind::opened) smooth(drawn.points);
+    smooth(edge.kind == LineKind::opened ? kSmoothingsOfOpening : kSmoothings, drawn.points);
     line.edges.push_back(std::move(drawn));
     line.numbers.push_back(e);
   }
@@ -99,6 +100,18 @@ SewLine sewLine(const FlatPattern& pattern, int piece, const Allowances& allowan
     ++i;
   }
   return line;
+}
+
+std::vector<double> drawnLengths(const FlatPattern& pattern) {
+  std::vector<double> lengths(pattern.cut.edges.size(), 0.0);
+  for (int p = 0; p < pattern.cut.pieces.count; ++p) {
+    const SewLine line = sewLine(pattern, p, Allowances());
+    for (size_t i = 0; i < line.edges.size(); ++i)
+      for (size_t k = 0; k + 1 < line.edges[i].points.size(); ++k)
+        lengths[line.numbers[i]] +=
+            (line.edges[i].points[k + 1] - line.edges[i].points[k]).norm() / kMillimetres;
+  }
+  return lengths;
 }
 
 PaperPoint pointAt(const FlatPattern& pattern, const SewnEdge& drawn, int edge, double share, PaperPoint& direction) {

@@ -6,8 +6,9 @@
 
 namespace ease {
 
-/// A piece's edges as they are drawn.  Legs of darts are straight and equally long; lines that were cut to open a piece
-/// are smoothed, the same way on both sides.
+/// A piece's edges as they are drawn.  Legs of darts are straight and equally long.  Every other edge is smoothed over
+/// about 2 cm, the same way on both sides of a seam, and lines that were cut to open a piece, which zigzag along edges of
+/// the mesh, over more.  Ends of edges stay.
 struct SewLine {
   std::vector<SewnEdge> edges;  // in the order of CutGarment::outlines
   std::vector<int> numbers;     // of CutGarment::edges
@@ -17,6 +18,9 @@ struct SewLine {
 Eigen::Matrix2d paperAxes(const FlatPattern& pattern, int piece);
 
 SewLine sewLine(const FlatPattern& pattern, int piece, const Allowances& allowances);
+
+/// Length of every edge of the cut as it is drawn, m.
+std::vector<double> drawnLengths(const FlatPattern& pattern);
 
 /// The point of a drawn edge at a share of the seam's length in the garment; `direction`: along the edge there.
 PaperPoint pointAt(const FlatPattern& pattern, const SewnEdge& drawn, int edge, double share, PaperPoint& direction);
