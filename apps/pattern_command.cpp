@@ -95,8 +95,8 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
           if (interrupted) throw Interrupted();
         });
     if (input.seams.empty())
-      throw InputError(fmt::format("{}: [garment] has no [[garment.seam]]: expected seams, along which a pattern is cut",
-                                   scene.file.string()));
+      throw InputError(fmt::format(
+          "{}: [garment] has no [[garment.seam]]: expected seams, along which a pattern is cut", scene.file.string()));
     const ResultDirectory results(directory);
     if (finishedReport(run).is_null()) {
       fmt::print("no finished run in {}: the scene is run first\n", run.string());

@@ -35,14 +35,17 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
   std::string text;
   for (const FlatPiece& piece : flat.pieces) {
     darts += piece.darts;
-    text += fmt::format("{:<22} {:.3f} m^2, threads {:.1f} % at 98 %, over {:g} % on {:.2f} %, shear {:.1f} deg at 99 %, {} dart{}\n",
-                        piece.name, piece.strain.area, 100.0 * piece.strain.thread_p98,
-                        100.0 * scene.pattern.limits.thread, 100.0 * piece.strain.thread_over_share,
-                        piece.strain.shear_p99 * 180.0 / M_PI, piece.darts, piece.darts == 1 ? "" : "s");
+    text += fmt::format(
+        "{:<22} {:.3f} m^2, threads {:.1f} % at 98 %, over {:g} % on {:.2f} %, shear {:.1f} deg at 99 %, {} dart{}\n",
+        piece.name, piece.strain.area, 100.0 * piece.strain.thread_p98, 100.0 * scene.pattern.limits.thread,
+        100.0 * piece.strain.thread_over_share, piece.strain.shear_p99 * 180.0 / M_PI, piece.darts,
+        piece.darts == 1 ? "" : "s");
   }
-  text += fmt::format("pattern   {} pieces, {} darts, {:.2f} m of seams, sides equal within {:.2f} mm; {:.2f} m of cloth {:g} m wide; {:.1f} s\n",
-                      flat.pieces.size(), darts, seams, 1e3 * worst_side, 1e-3 * made.cloth_length_mm,
-                      scene.pattern.fabric_width, made.wall_s);
+  text += fmt::format(
+      "pattern   {} pieces, {} darts, {:.2f} m of seams, sides equal within {:.2f} mm; {:.2f} m of cloth {:g} m wide; "
+      "{:.1f} s\n",
+      flat.pieces.size(), darts, seams, 1e3 * worst_side, 1e-3 * made.cloth_length_mm, scene.pattern.fabric_width,
+      made.wall_s);
   if (!made.resewn) return text;
   const Resewn& resewn = *made.resewn;
   const auto line = [&](const ResewnPose& pose) {
@@ -52,9 +55,11 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
   if (!resewn.own.pose.empty()) line(resewn.own);
   for (const ResewnPose& pose : resewn.poses) line(pose);
   if (resewn.has_limit)
-    text += fmt::format("          over the limit: {:.2f} % of the triangles, {:.2f} % as designed; let out {} times, cloth {:+.2f} %\n",
-                        100.0 * resewn.over_limit, 100.0 * resewn.designed_over_limit, resewn.rounds,
-                        100.0 * (resewn.area_ratio - 1.0));
+    text += fmt::format(
+        "          over the limit: {:.2f} % of the triangles, {:.2f} % as designed; let out {} times, cloth {:+.2f} "
+        "%\n",
+        100.0 * resewn.over_limit, 100.0 * resewn.designed_over_limit, resewn.rounds,
+        100.0 * (resewn.area_ratio - 1.0));
   return text;
 }
 

@@ -20,7 +20,8 @@ struct MadePattern {
   double wall_s = 0.0;  // without the replay
 };
 
-/// Draws the pieces and lays them out; the lengths of seam sides become those of the drawn lines.  Throws InputError where a piece is wider than the cloth.
+/// Draws the pieces and lays them out; the lengths of seam sides become those of the drawn lines.  Throws InputError
+/// where a piece is wider than the cloth.
 void drawPattern(const Scene& scene, MadePattern& made);
 
 /// Writes the files that the scene asks for, pattern.vtp and the pictures into the directory, and the figures into its

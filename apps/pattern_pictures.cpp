@@ -37,8 +37,9 @@ TriangleMesh onSheet(const MadePattern& made) {
   }
   for (Eigen::Index v = 0; v < flat.x.rows(); ++v) {
     const auto p = static_cast<size_t>(piece_of[v]);
-    const PaperPoint x = drawn[p] ? PaperPoint(1e-3 * (drawn[p]->axes * flat.x.row(v).head<2>().transpose() + drawn[p]->origin))
-                             : PaperPoint(PaperPoint(flat.x(v, 1), -flat.x(v, 0)) + lower[p]);
+    const PaperPoint x =
+        drawn[p] ? PaperPoint(1e-3 * (drawn[p]->axes * flat.x.row(v).head<2>().transpose() + drawn[p]->origin))
+                 : PaperPoint(PaperPoint(flat.x(v, 1), -flat.x(v, 0)) + lower[p]);
     mesh.positions.row(v) << x.x(), x.y(), 0.0;
   }
   return mesh;
@@ -46,8 +47,10 @@ TriangleMesh onSheet(const MadePattern& made) {
 
 ViewLine viewLine(const std::vector<PaperPoint>& points, bool is_closed, Ink ink) {
   const int rgb = colourOf(ink);
-  ViewLine line{{}, is_closed, {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
-                                static_cast<std::uint8_t>(rgb)}};
+  ViewLine line{
+      {},
+      is_closed,
+      {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8), static_cast<std::uint8_t>(rgb)}};
   for (const PaperPoint& p : points) line.points.emplace_back(1e-3 * p.x(), 1e-3 * p.y(), 0.0);
   return line;
 }
@@ -61,7 +64,8 @@ std::string drawSheetPicture(const Scene& scene, const MadePattern& made, const 
     area += piece.strain.area;
   }
   const double limit = scene.pattern.limits.thread;
-  for (const ThreadStrain& strain : made.flat.strains) view.values.push_back(static_cast<float>(100.0 * strain.worst()));
+  for (const ThreadStrain& strain : made.flat.strains)
+    view.values.push_back(static_cast<float>(100.0 * strain.worst()));
   for (const DrawnPiece& piece : made.sheet.pieces) {
     view.lines.push_back(viewLine(piece.cut, true, Ink::cut));
     view.lines.push_back(viewLine(piece.sew, true, Ink::sew));
@@ -74,9 +78,9 @@ std::string drawSheetPicture(const Scene& scene, const MadePattern& made, const 
     }
   }
   view.title = scene.name + ": sewing pattern";
-  view.summary = fmt::format("{} pieces, {:.2f} m of cloth {:g} m wide; threads over the limit on {:.2f} % of the cloth",
-                             made.flat.pieces.size(), 1e-3 * made.cloth_length_mm, scene.pattern.fabric_width,
-                             100.0 * over / area);
+  view.summary = fmt::format(
+      "{} pieces, {:.2f} m of cloth {:g} m wide; threads over the limit on {:.2f} % of the cloth",
+      made.flat.pieces.size(), 1e-3 * made.cloth_length_mm, scene.pattern.fabric_width, 100.0 * over / area);
   return drawFlat(file, view, "stretch of the threads when sewn, %", 0.0, 200.0 * limit, 100.0 * limit);
 }
 
@@ -105,7 +109,8 @@ std::string drawResewn(const Scene& scene, const SceneInput& input, const MadePa
                                                  1e3 * resewn.poses.back().max_m)}};
   for (StretchView& view : views)
     for (const CutLine& line : made.flat.lines)
-      view.lines.push_back({positionsOf(line.seam.vertices, view.garment->positions), line.seam.is_closed, {20, 20, 20}});
+      view.lines.push_back(
+          {positionsOf(line.seam.vertices, view.garment->positions), line.seam.is_closed, {20, 20, 20}});
   constexpr double kShown = 15.0;  // mm
   return drawStretch(file, views, "distance from the design, mm", 0.0, 2.0 * kShown, kShown);
 }

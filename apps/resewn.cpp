@@ -106,7 +106,8 @@ void compare(const Scene& scene, const SceneInput& input, const FlatPattern& pat
   if (sewn.own.rows() > 0) result.own = compared(input.pose_names.front(), designed.own, sewn.own);
   result.poses.clear();
   for (size_t k = 0; k < sewn.poses.size(); ++k)
-    result.poses.push_back(compared(scene.body ? input.pose_names[sewn.numbers[k]] : "end", designed.poses[k], sewn.poses[k]));
+    result.poses.push_back(
+        compared(scene.body ? input.pose_names[sewn.numbers[k]] : "end", designed.poses[k], sewn.poses[k]));
   result.seams.clear();
   for (const CutLine& line : pattern.lines) {
     ResewnSeam seam{line.seam.name, 0.0};

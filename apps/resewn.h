@@ -32,8 +32,8 @@ struct Resewn {
   std::vector<ResewnPose> poses;  // in the motion
   std::vector<ResewnSeam> seams;
   double designed_over_limit = 0.0, over_limit = 0.0;  // share of the triangles at the worst moment
-  int rounds = 0;         // of letting out on the paper
-  double area_ratio = 1.0;  // cloth of the pieces over that of the first ones
+  int rounds = 0;                                      // of letting out on the paper
+  double area_ratio = 1.0;                             // cloth of the pieces over that of the first ones
   bool has_limit = false;
   double wall_s = 0.0;
   Positions designed_end, sewn_end;  // at the end of the motion, m, in the order of the garment's file

@@ -33,8 +33,8 @@ Allowances readAllowances(const TomlTable& table) {
 }  // namespace
 
 PatternScene readPattern(const TomlTable& table) {
-  table.allow({"thread_limit", "shear_limit", "share", "darts", "allowance", "fabric_width", "paper", "formats", "piece",
-               "check", "let_out"});
+  table.allow({"thread_limit", "shear_limit", "share", "darts", "allowance", "fabric_width", "paper", "formats",
+               "piece", "check", "let_out"});
   PatternScene pattern;
   pattern.limits.thread = table.number("thread_limit", pattern.limits.thread, {0.0, 1.0, true, ""});
   const double degrees = table.number("shear_limit", 180.0 / M_PI * pattern.limits.shear, {0.0, 60.0, true, "degrees"});

@@ -208,9 +208,8 @@ std::string drawStretch(const std::filesystem::path& file, const std::vector<Str
   try {
     checkViews(views, low, high);
     const ColorScale scale(low, high, std::clamp(limit, low, high));
-    renderToFile(file, kWidth, kHeight, [&](vtkRenderWindow* window, Overlay& overlay) {
-      compose(window, overlay, views, scale, label);
-    });
+    renderToFile(file, kWidth, kHeight,
+                 [&](vtkRenderWindow* window, Overlay& overlay) { compose(window, overlay, views, scale, label); });
     return {};
   } catch (const std::exception& error) {
     return error.what();

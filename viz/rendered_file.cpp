@@ -50,7 +50,8 @@ vtkSmartPointer<vtkImageData> averagedPixels(vtkRenderWindow* window, int width,
           sum += samples->GetValue(3 * (row * kSamplesPerPixel * width + column) + i % 3);
         }
       }
-      *out++ = static_cast<unsigned char>(kLevelStep * std::lround(sum / (kSamplesPerPixel * kSamplesPerPixel * kLevelStep)));
+      *out++ = static_cast<unsigned char>(kLevelStep *
+                                          std::lround(sum / (kSamplesPerPixel * kSamplesPerPixel * kLevelStep)));
     }
   }
   return image;

@@ -53,7 +53,8 @@ VtpMesh readVtpArrays(const std::filesystem::path& file, const std::vector<std::
     if (!array) throw InputError(fmt::format("{}: has no array '{}'", file.string(), name));
     NamedArray values{name, array->GetNumberOfComponents(), {}};
     for (vtkIdType t = 0; t < array->GetNumberOfTuples(); ++t)
-      for (int k = 0; k < values.components; ++k) values.values.push_back(static_cast<float>(array->GetComponent(t, k)));
+      for (int k = 0; k < values.components; ++k)
+        values.values.push_back(static_cast<float>(array->GetComponent(t, k)));
     result.triangle_arrays.push_back(std::move(values));
   }
   return result;

@@ -9,9 +9,10 @@
 namespace ease {
 namespace {
 
-constexpr double kMitre = 3.5;       // widths from the corner, at most
-constexpr double kSharp = 75.0;      // degrees: corners below have both allowances mirrored
-constexpr double kStraight = 2.0;    // degrees: an edge that goes on like this has no corner
+constexpr double kMitre = 3.5;     // widths from the corner, at most
+constexpr double kFold = 2.2;      // widths from the corner that a folded allowance may end at, at most
+constexpr double kSharp = 75.0;    // degrees: corners below have both allowances mirrored
+constexpr double kStraight = 2.0;  // degrees: an edge that goes on like this has no corner
 
 PaperPoint unit(const PaperPoint& p) {
   return p.normalized();
@@ -60,10 +61,14 @@ void addMitre(const Corner& k, std::vector<PaperPoint>& line) {
   const auto m = meeting(k.offsetA(), k.a, k.offsetB(), k.b);
   const double most = kMitre * std::max(k.wa, k.wb);
   line.push_back(k.offsetA());
-  if (m && (*m - k.c).norm() <= most) line.back() = *m;
+  if (m && (*m - k.c).norm() <= most)
+    line.back() = *m;
   else if (m && cross(k.a, k.b) > 0.0) {  // cut off
-    line.back() += unit(*m - k.offsetA()) * std::min(most, (*m - k.offsetA()).norm());
-    line.push_back(k.offsetB() + unit(*m - k.offsetB()) * std::min(most, (*m - k.offsetB()).norm()));
+    const auto towards = [&](const PaperPoint& offset, double width) -> PaperPoint {
+      return offset + unit(*m - offset) * std::min(std::sqrt(most * most - width * width), (*m - offset).norm());
+    };
+    line.back() = towards(k.offsetA(), k.wa);
+    line.push_back(towards(k.offsetB(), k.wb));
   } else {
     line.push_back(k.offsetB());
   }
@@ -74,7 +79,7 @@ bool addMirror(const Corner& k, std::vector<PaperPoint>& line) {
   const auto p = meeting(k.c, k.a, k.offsetB(), k.b);
   if (!p) return false;
   const auto q = meeting(*p, mirrored(k.b, k.a), k.offsetA(), k.a);
-  const double most = kMitre * std::max(k.wa, k.wb);
+  const double most = kFold * std::max(k.wa, k.wb);
   if (!q || (*q - k.c).norm() > most || (*p - k.c).norm() > most) return false;
   line.push_back(*q);
   line.push_back(*p);
@@ -130,18 +135,22 @@ void addMouth(const SewnEdge& before, const SewnEdge& leg, const SewnEdge& back,
   const PaperPoint middle = 0.5 * (p + q), axis = unit(middle - tip);
   const PaperPoint offset_a = p + before.width * outward(a), offset_b = q + after.width * outward(b);
   const PaperPoint leg_a = unit(p - tip), leg_b = unit(q - tip);
-  const auto side = [&](const PaperPoint& offset, const PaperPoint& along, const PaperPoint& leg_direction, const PaperPoint& corner,
-                        double width) -> std::vector<PaperPoint> {
-    const auto on_leg = meeting(corner, leg_direction, offset, along);
-    if (!on_leg || (*on_leg - corner).norm() > kMitre * width) return {offset};
-    const auto ridge = meeting(*on_leg, mirrored(along, leg_direction), middle, axis);
-    if (!ridge || (*ridge - middle).norm() > (p - q).norm() + kMitre * width) return {*on_leg};
-    return {*on_leg, *ridge};
+  // Where the cut lines of the seam meet the legs' lines; folded to the side of A, both halves of the dart lie on that
+  // of A, so that the roof is its mirror image in leg A, and in the axis.
+  const auto onLeg = [&](const PaperPoint& corner, const PaperPoint& leg_direction, const PaperPoint& offset,
+                         const PaperPoint& along, double width) -> PaperPoint {
+    const auto met = meeting(corner, leg_direction, offset, along);
+    return met && (*met - corner).norm() <= kFold * width ? *met : offset;
   };
-  const std::vector<PaperPoint> left = side(offset_a, a, leg_a, p, before.width),
-                           right = side(offset_b, b, leg_b, q, after.width);
-  for (const PaperPoint& x : left) line.push_back(x);
-  for (auto x = right.rbegin(); x != right.rend(); ++x) line.push_back(*x);
+  const PaperPoint on_a = onLeg(p, leg_a, offset_a, a, before.width), on_b = onLeg(q, leg_b, offset_b, b, after.width);
+  const bool folds_to_a = std::abs(a.dot(leg_a)) < std::abs(b.dot(leg_b));  // to where the seam is squarer
+  const auto ridge =
+      folds_to_a ? meeting(on_a, mirrored(a, leg_a), middle, axis) : meeting(on_b, mirrored(b, leg_b), middle, axis);
+  line.push_back(on_a);
+  if (ridge && (*ridge - middle).dot(axis) > 0.0 &&
+      (*ridge - middle).norm() < 0.5 * (p - q).norm() + kFold * std::max(before.width, after.width))
+    line.push_back(*ridge);
+  line.push_back(on_b);
 }
 
 /// The offset line of an edge without its ends.

@@ -178,12 +178,12 @@ std::vector<CutLine> makeDisks(const TriangleMesh& garment, const std::vector<Ma
     if (open == outlines.end()) break;
     const int piece = static_cast<int>(open - outlines.begin());
     const std::vector<int> path = shortestOpening(
-        piece, sides, pieces,
-        innerNeighbours(sides.topology(), pieces.glue.size(), pieces.mesh.triangles, rest_edges));
+        piece, sides, pieces, innerNeighbours(sides.topology(), pieces.glue.size(), pieces.mesh.triangles, rest_edges));
     if (path.size() < 2)
-      throw InputError(fmt::format("the piece between {} has a hole and no way to cut it open: expected a seam there, "
-                                   "or smaller triangles",
-                                   surroundings(piece, sides, pieces, all, loops)));
+      throw InputError(
+          fmt::format("the piece between {} has a hole and no way to cut it open: expected a seam there, "
+                      "or smaller triangles",
+                      surroundings(piece, sides, pieces, all, loops)));
     const int number = static_cast<int>(
         std::count_if(all.begin(), all.end(), [](const CutLine& line) { return line.kind == LineKind::opened; }));
     all.push_back({{fmt::format("opening {}", number + 1), path, false}, LineKind::opened});

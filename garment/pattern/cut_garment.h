@@ -42,7 +42,7 @@ struct PieceEdge {
 };
 
 struct CutGarment {
-  Pieces pieces;                           // its mesh is the cut mesh
+  Pieces pieces;  // its mesh is the cut mesh
   std::vector<PieceEdge> edges;
   std::vector<std::vector<int>> outlines;  // of each piece: its edges in order, counter-clockwise
 };

@@ -8,79 +8,19 @@
 #include <limits>
 #include <queue>
 
+#include "garment/pattern/dart_trial.h"
 #include "solver/base/parallel.h"
 
 namespace ease {
 namespace {
 
-constexpr int kCandidates = 40;          // tips that are tried at a time
-constexpr double kShortest = 0.03;       // m: darts are at least this long
-constexpr double kEnergyWeight = 0.2;    // of the energy beside the area over the limits
-constexpr double kLeastGain = 0.1;       // of what is left; a dart must gain at least that
-constexpr double kMirrorReach = 0.02;    // m
-constexpr int kTrialIterations = 60;
-constexpr double kTrialTolerance = 1e-5;  // m
-
-/// One piece by itself, with its vertices' numbers in the garment.
-struct Part {
-  TriangleMesh mesh;
-  std::vector<Mat2> rest_edges;
-  std::vector<int> garment_vertex;
-  Positions x;  // in the plane, m
-};
-
-/// How bad a flattening is: area over a limit and energy, m^2.
-struct Badness {
-  double over = 0.0, energy = 0.0;
-  double all() const { return over + kEnergyWeight * energy; }
-};
-
-Badness badnessOf(const FlatPieces& flat, const Flattened& flattened, const StrainLimits& limits) {
-  Badness badness{0.0, flattened.energy};
-  const std::vector<ThreadStrain> strains = threadStrains(flat, flattened.x);
-  for (size_t t = 0; t < strains.size(); ++t)
-    if (strains[t].worst() > limits.thread || std::abs(strains[t].shear) > limits.shear)
-      badness.over += 0.5 * flat.rest_edges[t].determinant();
-  return badness;
-}
-
-/// A part cut along some darts, flattened from where the part is now.
-struct Trial {
-  Badness badness;
-  StrainSummary strain;
-  Positions x;  // of the part's vertices (each of a dart's from one of its sides), m
-};
-
-Trial flattenPart(const Part& part, const std::vector<Seam>& darts, const FlatSettings& settings, int iterations) {
-  std::vector<CutLine> lines;
-  for (const Seam& dart : darts) lines.push_back({dart, LineKind::dart});
-  const CutGarment cut = cutGarment(part.mesh, lines, {});
-  FlatPieces flat{cut.pieces.mesh.triangles, part.rest_edges, {outlineOf(cut, 0)},
-                  static_cast<int>(cut.pieces.glue.size())};
-  WovenSettings woven = settings.woven;
-  woven.max_iterations = iterations;
-  woven.tolerance = kTrialTolerance;
-  Positions start(flat.vertices, 3);
-  for (int v = 0; v < flat.vertices; ++v)
-    if (part.x.rows() > 0) start.row(v) = part.x.row(cut.pieces.glue[v]);
-  std::vector<SewnPair> pairs;
-  for (size_t e = 0; e < cut.edges.size(); ++e) {
-    const PieceEdge& a = cut.edges[e];
-    if (a.partner <= static_cast<int>(e)) continue;
-    const PieceEdge& b = cut.edges[a.partner];
-    const size_t n = a.vertices.size();
-    for (size_t i = 0; i + 1 < n; ++i)
-      pairs.push_back({a.vertices[i], a.vertices[i + 1], b.vertices[n - 1 - i], b.vertices[n - 2 - i]});
-  }
-  const Flattened flattened = flatten(flat, pairs, woven, part.x.rows() > 0 ? &start : nullptr);
-  Trial trial;
-  trial.badness = badnessOf(flat, flattened, settings.limits);
-  trial.strain = strainOf(flat, flattened.x, threadStrains(flat, flattened.x),
-                          std::vector<int>(part.rest_edges.size(), 0), 0, settings.limits);
-  trial.x.resize(part.mesh.positions.rows(), 3);
-  for (int v = 0; v < flat.vertices; ++v) trial.x.row(cut.pieces.glue[v]) = flattened.x.row(v);
-  return trial;
-}
+constexpr int kCandidates = 32;        // tips that are tried at a time
+constexpr double kShortest = 0.03;     // m: darts are at least this long
+constexpr double kLeastGain = 0.1;     // of what is left; a dart must gain at least that
+constexpr double kMirrorReach = 0.02;  // m
+constexpr int kTrialIterations = 25;
+constexpr int kIterations = 120;  // with the darts found so far
+constexpr int kRefused = 4;       // best candidates that are flattened further before none is taken
 
 /// Shortest ways from the outline into a part.
 struct Ways {
@@ -173,7 +113,7 @@ class DartSearch {
       : part_(part), settings_(settings), inside_(part), others_(others), taken_(part.mesh.positions.rows(), 0) {}
 
   std::vector<Seam> run(int most) {
-    Trial now = flattenPart(part_, {}, settings_, settings_.woven.max_iterations);
+    Trial now = flattenPart(part_, {}, settings_, kIterations);
     part_.x = now.x;
     std::vector<Seam> darts;
     while (static_cast<int>(darts.size()) < most && !keeps(now.strain, settings_.limits)) {
@@ -186,24 +126,35 @@ class DartSearch {
         trials[k] = flattenPart(part_, with, settings_, kTrialIterations);
         lengths[k] = lengthOf(candidates[k].vertices);
       });
-      int best = -1;
-      double best_rate = 0.0;
-      for (size_t k = 0; k < candidates.size(); ++k) {
-        const double gain = now.badness.all() - trials[k].badness.all();
-        if (gain < kLeastGain * now.badness.all() || gain / lengths[k] <= best_rate) continue;
-        best_rate = gain / lengths[k];
-        best = static_cast<int>(k);
-      }
-      if (best < 0) break;
-      darts.push_back(candidates[best]);
-      for (const int v : darts.back().vertices) taken_[v] = 1;
-      now = flattenPart(part_, darts, settings_, settings_.woven.max_iterations);
-      part_.x = now.x;
+      if (!takeBest(candidates, trials, lengths, darts, now)) break;
     }
     return darts;
   }
 
  private:
+  /// Adds the candidate that gains most for its length; returns false where none gains enough.
+  bool takeBest(const std::vector<Seam>& candidates, const std::vector<Trial>& trials,
+                const std::vector<double>& lengths, std::vector<Seam>& darts, Trial& now) {
+    const double least = kLeastGain * now.badness.all();
+    std::vector<std::pair<double, size_t>> by_rate;  // gain per length, negative, so that the best comes first
+    for (size_t k = 0; k < candidates.size(); ++k)
+      if (const double gain = now.badness.all() - trials[k].badness.all(); trials[k].is_sound && gain >= least)
+        by_rate.emplace_back(-gain / lengths[k], k);
+    std::sort(by_rate.begin(), by_rate.end());
+    for (size_t k = 0; k < std::min<size_t>(by_rate.size(), kRefused); ++k) {
+      darts.push_back(candidates[by_rate[k].second]);
+      const Trial next = flattenPart(part_, darts, settings_, kIterations);
+      if (next.is_sound && now.badness.all() - next.badness.all() >= least) {
+        for (const int v : darts.back().vertices) taken_[v] = 1;
+        now = next;
+        part_.x = now.x;
+        return true;
+      }
+      darts.pop_back();
+    }
+    return false;
+  }
+
   double lengthOf(const std::vector<int>& chain) const {
     double length = 0.0;
     for (size_t i = 0; i + 1 < chain.size(); ++i)
@@ -280,30 +231,6 @@ class DartSearch {
   const std::vector<std::vector<Vec3>>& others_;  // points of darts on other pieces, m
   std::vector<char> taken_;
 };
-
-Part partOf(const RestGarment& garment, const Pieces& pieces, int piece) {
-  Part part;
-  std::vector<int> number(pieces.glue.size(), -1);
-  std::vector<int> triangles;
-  for (size_t t = 0; t < pieces.piece.size(); ++t)
-    if (pieces.piece[t] == piece) triangles.push_back(static_cast<int>(t));
-  part.mesh.triangles.resize(static_cast<int>(triangles.size()), 3);
-  for (size_t t = 0; t < triangles.size(); ++t) {
-    part.rest_edges.push_back(garment.rest_edges[triangles[t]]);
-    for (int k = 0; k < 3; ++k) {
-      const int v = pieces.mesh.triangles(triangles[t], k);
-      if (number[v] < 0) {
-        number[v] = static_cast<int>(part.garment_vertex.size());
-        part.garment_vertex.push_back(pieces.glue[v]);
-      }
-      part.mesh.triangles(static_cast<int>(t), k) = number[v];
-    }
-  }
-  part.mesh.positions.resize(static_cast<int>(part.garment_vertex.size()), 3);
-  for (size_t v = 0; v < part.garment_vertex.size(); ++v)
-    part.mesh.positions.row(static_cast<int>(v)) = garment.mesh.positions.row(part.garment_vertex[v]);
-  return part;
-}
 
 }  // namespace
 

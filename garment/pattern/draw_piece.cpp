@@ -11,12 +11,12 @@
 namespace ease {
 namespace {
 
-constexpr double kNotchDepth = 5.0;        // mm
-constexpr double kNotchGap = 8.0;          // mm between the two of a double notch
-constexpr double kLongSeam = 0.15;         // m: longer seams have two places with notches
-constexpr double kShortSeam = 0.05;        // m: shorter ones have none
-constexpr double kDrillBeforeTip = 10.0;   // mm
-constexpr double kGrainLength = 100.0;     // mm
+constexpr double kNotchDepth = 5.0;       // mm
+constexpr double kNotchGap = 8.0;         // mm between the two of a double notch
+constexpr double kLongSeam = 0.15;        // m: longer seams have two places with notches
+constexpr double kShortSeam = 0.05;       // m: shorter ones have none
+constexpr double kDrillBeforeTip = 10.0;  // mm
+constexpr double kGrainLength = 100.0;    // mm
 constexpr double kNameHeight = 7.0, kTextHeight = 4.0, kSeamNameHeight = 2.8;  // mm
 
 /// Distance from a point to the closed line along a direction, mm; -1 if it does not meet the line.
@@ -52,7 +52,8 @@ void addSeamNotches(const FlatPattern& pattern, const SewLine& line, DrawnPiece&
         seam->rest_length > kLongSeam ? std::vector<double>{1.0 / 3.0, 2.0 / 3.0} : std::vector<double>{0.5};
     const double apart = is_double ? 0.5e-3 * kNotchGap / seam->rest_length : 0.0;
     for (const double place : places)
-      for (const double share : is_double ? std::vector<double>{place - apart, place + apart} : std::vector<double>{place}) {
+      for (const double share :
+           is_double ? std::vector<double>{place - apart, place + apart} : std::vector<double>{place}) {
         PaperPoint along;
         const PaperPoint at = pointAt(pattern, line.edges[i], e, share, along);
         addNotch(at, {along.y(), -along.x()}, piece);
@@ -63,7 +64,8 @@ void addSeamNotches(const FlatPattern& pattern, const SewLine& line, DrawnPiece&
 void addDarts(const SewLine& line, DrawnPiece& piece) {
   for (size_t i = 0; i + 1 < line.edges.size(); ++i) {
     if (!line.edges[i].is_dart || !line.edges[i + 1].is_dart) continue;
-    const PaperPoint p = line.edges[i].points.front(), tip = line.edges[i].points.back(), q = line.edges[i + 1].points.back();
+    const PaperPoint p = line.edges[i].points.front(), tip = line.edges[i].points.back(),
+                     q = line.edges[i + 1].points.back();
     piece.lines.push_back({Ink::inner, {p, tip, q}, false});
     for (const PaperPoint& mouth : {p, q}) addNotch(mouth, (mouth - tip).normalized(), piece);
     const PaperPoint axis = (0.5 * (p + q) - tip).normalized();
@@ -110,7 +112,8 @@ void addGrain(const PaperPoint& near, DrawnPiece& piece) {
   const PaperPoint top = middle + PaperPoint(0.0, 0.5 * length), bottom = middle - PaperPoint(0.0, 0.5 * length);
   piece.lines.push_back({Ink::grain, {bottom, top}, false});
   for (const auto& [end, sign] : {std::pair(top, -1.0), std::pair(bottom, 1.0)})
-    piece.lines.push_back({Ink::grain, {end + PaperPoint(-2.0, 5.0 * sign), end, end + PaperPoint(2.0, 5.0 * sign)}, false});
+    piece.lines.push_back(
+        {Ink::grain, {end + PaperPoint(-2.0, 5.0 * sign), end, end + PaperPoint(2.0, 5.0 * sign)}, false});
 }
 
 std::string cutText(const DrawnPiece& piece) {
@@ -126,7 +129,8 @@ void addWords(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece
                                   0.62 * kTextHeight * static_cast<double>(std::max(number.size(), cut.size()))});
   const double scale = std::min(1.0, 0.8 * room / (widest + 12.0));
   const double shift = 0.5 * scale * widest + 8.0;
-  addGrain(depthWithin(middle - PaperPoint(shift, 0.0), piece.sew) > 5.0 ? middle - PaperPoint(shift, 0.0) : middle, piece);
+  addGrain(depthWithin(middle - PaperPoint(shift, 0.0), piece.sew) > 5.0 ? middle - PaperPoint(shift, 0.0) : middle,
+           piece);
   piece.texts.push_back({middle + PaperPoint(0.0, 5.0 * scale), kNameHeight * scale, 0.0, piece.name});
   piece.texts.push_back({middle - PaperPoint(0.0, 4.0 * scale), kTextHeight * scale, 0.0, number});
   piece.texts.push_back({middle - PaperPoint(0.0, 11.0 * scale), kTextHeight * scale, 0.0, cut});

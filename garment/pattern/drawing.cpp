@@ -50,8 +50,7 @@ DrawnPiece placed(const DrawnPiece& piece, bool is_turned, const PaperPoint& by)
   result.axes *= sign;
   result.origin = sign * piece.origin + by;
   if (is_turned)
-    for (DrawnText& text : result.texts)
-      if (text.angle != 0.0) text.angle += text.angle > 0.0 ? -180.0 : 180.0;
+    for (DrawnText& text : result.texts) text.angle += text.angle > 0.0 ? -180.0 : 180.0;
   return result;
 }
 

@@ -11,13 +11,13 @@ namespace ease {
 using PaperPoint = Eigen::Vector2d;  // mm
 
 enum class Ink {
-  cut,     // where the cloth is cut
-  sew,     // where it is sewn
-  notch,   // marks within the allowance
-  grain,   // along the warp
-  inner,   // lines that are drawn on the cloth, such as the legs of a dart
-  drill,   // holes
-  paper,   // what is not for the cloth: the test box
+  cut,    // where the cloth is cut
+  sew,    // where it is sewn
+  notch,  // marks within the allowance
+  grain,  // along the warp
+  inner,  // lines that are drawn on the cloth, such as the legs of a dart
+  drill,  // holes
+  paper,  // what is not for the cloth: the test box
 };
 
 struct DrawnLine {
@@ -27,9 +27,9 @@ struct DrawnLine {
 };
 
 struct DrawnText {
-  PaperPoint at;           // middle of its baseline
-  double height;      // mm, of a capital letter
-  double angle;       // degrees, counter-clockwise
+  PaperPoint at;  // middle of its baseline
+  double height;  // mm, of a capital letter
+  double angle;   // degrees, counter-clockwise
   std::string words;
 };
 
@@ -37,21 +37,21 @@ struct DrawnText {
 struct Notch {
   PaperPoint at;      // on the cut line
   PaperPoint inward;  // unit vector
-  double depth;  // mm
+  double depth;       // mm
 };
 
 struct DrawnPiece {
   std::string name;
-  int number = 0;      // from 1
-  int of = 0;          // pieces in all
-  int quantity = 1;    // to be cut
-  bool mirrored = false;  // of two, one is the mirror image
-  int source = 0;      // number of the piece in the flat pattern, from 0
+  int number = 0;                                      // from 1
+  int of = 0;                                          // pieces in all
+  int quantity = 1;                                    // to be cut
+  bool mirrored = false;                               // of two, one is the mirror image
+  int source = 0;                                      // number of the piece in the flat pattern, from 0
   Eigen::Matrix2d axes = Eigen::Matrix2d::Identity();  // from (warp, weft), m, to the drawing, mm: axes * x + origin
   PaperPoint origin = PaperPoint::Zero();
-  std::vector<PaperPoint> cut, sew;     // closed, counter-clockwise
-  std::vector<size_t> sew_corners; // points of `sew` where an edge ends
-  std::vector<DrawnLine> lines;    // grain, legs of darts
+  std::vector<PaperPoint> cut, sew;  // closed, counter-clockwise
+  std::vector<size_t> sew_corners;   // points of `sew` where an edge ends
+  std::vector<DrawnLine> lines;      // grain, legs of darts
   std::vector<Notch> notches;
   std::vector<PaperPoint> drills;
   std::vector<DrawnText> texts;
@@ -74,7 +74,7 @@ Bounds boundsOf(const std::vector<PaperPoint>& points);
 /// Area that a closed line encloses, mm^2; positive if it runs counter-clockwise.
 double areaWithin(const std::vector<PaperPoint>& points);
 
-/// A piece turned by half a turn about the origin if asked, then moved.
+/// A piece turned by half a turn about the origin if asked, its words with it, then moved.
 DrawnPiece placed(const DrawnPiece& piece, bool is_turned, const PaperPoint& by);
 
 /// The mirror image of a piece; its words stay readable.

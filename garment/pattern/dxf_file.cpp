@@ -57,7 +57,9 @@ class DxfWriter {
   }
 
  private:
-  void group(int code, const std::string& value) { fmt::format_to(std::back_inserter(text_), "{:>3}\n{}\n", code, value); }
+  void group(int code, const std::string& value) {
+    fmt::format_to(std::back_inserter(text_), "{:>3}\n{}\n", code, value);
+  }
   void number(int code, double value) { group(code, fmt::format("{:.4f}", value)); }
   void section(const char* name) {
     group(0, "SECTION");
@@ -91,7 +93,7 @@ class DxfWriter {
     group(73, "0");
     number(40, 0.0);
     end("ENDTAB");
-    const std::pair<const char*, const char*> layers[] = {{"1", "1"},  {"2", "7"},  {"3", "7"},   {"4", "3"}, {"7", "3"},
+    const std::pair<const char*, const char*> layers[] = {{"1", "1"}, {"2", "7"},  {"3", "7"},  {"4", "3"}, {"7", "3"},
                                                           {"8", "5"}, {"13", "3"}, {"14", "5"}, {"15", "7"}};
     group(0, "TABLE");
     group(2, "LAYER");

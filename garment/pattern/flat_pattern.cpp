@@ -74,20 +74,22 @@ void measure(const FlatSettings& settings, FlatPattern& pattern) {
   for (size_t p = 0; p < pattern.pieces.size(); ++p) {
     FlatPiece& piece = pattern.pieces[p];
     const int number = static_cast<int>(p);
-    piece.strain = strainOf(pattern.flat, pattern.x, pattern.strains, pattern.cut.pieces.piece, number, settings.limits);
+    piece.strain =
+        strainOf(pattern.flat, pattern.x, pattern.strains, pattern.cut.pieces.piece, number, settings.limits);
     piece.crosses_itself = crossesItself(pattern.flat.outlines[p], pattern.x);
     piece.darts = 0;
     for (const int e : pattern.cut.outlines[p]) piece.darts += isDartLeg(pattern.cut, e) ? 1 : 0;
     piece.darts /= 2;
     if (piece.crosses_itself)
-      pattern.warnings.push_back(fmt::format(
-          "piece '{}' overlaps itself when flat and cannot be cut: give it one more seam", piece.name));
+      pattern.warnings.push_back(
+          fmt::format("piece '{}' overlaps itself when flat and cannot be cut: give it one more seam", piece.name));
     if (!keeps(piece.strain, settings.limits))
-      pattern.warnings.push_back(fmt::format(
-          "piece '{}': threads {:.1f} % over {:g} % on {:.1f} % of its area, shear {:.1f} degrees at 99 %: no dart that was "
-          "tried reaches the limits; give it one more seam",
-          piece.name, 100 * piece.strain.thread_p98, 100 * settings.limits.thread,
-          100 * piece.strain.thread_over_share, piece.strain.shear_p99 * 180 / M_PI));
+      pattern.warnings.push_back(
+          fmt::format("piece '{}': threads {:.1f} % over {:g} % on {:.1f} % of its area, shear {:.1f} degrees at 99 %: "
+                      "no dart that was "
+                      "tried reaches the limits; give it one more seam",
+                      piece.name, 100 * piece.strain.thread_p98, 100 * settings.limits.thread,
+                      100 * piece.strain.thread_over_share, piece.strain.shear_p99 * 180 / M_PI));
   }
 }
 

@@ -45,9 +45,9 @@ struct FlatPiece {
 
 /// Two edges that are sewn together.
 struct SeamSides {
-  int line;                  // of FlatPattern::lines
-  int left, right;           // of CutGarment::edges
-  double rest_length = 0.0;  // m, of the seam in the garment
+  int line;                                      // of FlatPattern::lines
+  int left, right;                               // of CutGarment::edges
+  double rest_length = 0.0;                      // m, of the seam in the garment
   double left_length = 0.0, right_length = 0.0;  // m, on the paper
 };
 
@@ -61,7 +61,7 @@ struct FlatPattern {
   std::vector<SeamSides> seams;
   // By edge of the cut, by its vertex: how far along the edge it lies in the garment, 0 to 1.
   std::vector<std::vector<double>> shares;
-  int mended = 0;       // pieces that were flattened again, without flips
+  int mended = 0;  // pieces that were flattened again, without flips
   int iterations = 0;
   std::vector<std::string> warnings;
 };
@@ -71,8 +71,7 @@ struct FlatPattern {
 FlatPattern flattenGarment(const RestGarment& garment, const FlatSettings& settings);
 
 /// Flattens the same pieces for another rest shape, from where they are.  Their strain stays that of the first one.
-FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges,
-                         const FlatSettings& settings);
+FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges, const FlatSettings& settings);
 
 /// Flat edges of the garment's triangles if it is sewn from these pieces, m: what its rest shape is then.
 std::vector<Mat2> sewnEdges(const FlatPattern& pattern);

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "solver/base/error.h"
 #include "garment/pattern/flip_free.h"
+#include "solver/base/error.h"
 #include "solver/linear/cholesky.h"
 
 namespace ease {
@@ -52,7 +52,8 @@ void solveAround(const std::vector<Eigen::Triplet<double>>& lower, const std::ve
   matrix.setFromTriplets(kept.begin(), kept.end());
   Cholesky cholesky(Cholesky::Kind::kSimplicial);
   cholesky.analyse(matrix);
-  if (!cholesky.factor(matrix)) throw ComputationError("a pattern piece cannot be flattened: its triangles are degenerate");
+  if (!cholesky.factor(matrix))
+    throw ComputationError("a pattern piece cannot be flattened: its triangles are degenerate");
   cholesky.solve(right.data(), x.data(), 1);
 }
 

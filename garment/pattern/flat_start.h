@@ -15,13 +15,13 @@ namespace ease {
 /// Triangles in the plane with the lengths that they should have.  One or more pieces, each a disk.
 struct FlatPieces {
   Triangles triangles;
-  std::vector<Mat2> rest_edges;             // of every triangle, m; rows: warp and weft
-  std::vector<std::vector<int>> outlines;   // vertices around every piece, counter-clockwise
+  std::vector<Mat2> rest_edges;            // of every triangle, m; rows: warp and weft
+  std::vector<std::vector<int>> outlines;  // vertices around every piece, counter-clockwise
   int vertices = 0;
 };
 
-/// Positions (warp, weft, 0), m: conformal, each piece as large as its triangles at rest.  Throws ComputationError where
-/// the triangles are degenerate.
+/// Positions (warp, weft, 0), m: conformal, each piece as large as its triangles at rest.  Throws ComputationError
+/// where the triangles are degenerate.
 Positions conformalStart(const FlatPieces& pieces);
 
 /// Positions (warp, weft, 0), m, without a flipped triangle: each piece in a circle as large as its triangles.

@@ -87,14 +87,15 @@ Flattened flatten(const FlatPieces& pieces, const std::vector<SewnPair>& pairs, 
     }
   };
   iterate(settings.max_iterations);
-  if (const std::vector<int> flipped = flippedPieces(pieces, piece, flat.x); !flipped.empty()) {
+  if (const std::vector<int> flipped = flippedPieces(pieces, piece, flat.x); settings.mends && !flipped.empty()) {
     flat.mended = static_cast<int>(flipped.size());
     for (const int p : flipped) flattenWithoutFlips(pieces, piece, p, settings, flat.x);
   }
   turnToGrain(pieces, alternation.restInverse(), piece, flat.x);
   for (size_t t = 0; t < pieces.rest_edges.size(); ++t)
-    flat.energy += 0.5 * pieces.rest_edges[t].determinant() *
-                   wovenEnergy(planeGradient(pieces, flat.x, static_cast<int>(t), alternation.restInverse()[t]), settings);
+    flat.energy +=
+        0.5 * pieces.rest_edges[t].determinant() *
+        wovenEnergy(planeGradient(pieces, flat.x, static_cast<int>(t), alternation.restInverse()[t]), settings);
   return flat;
 }
 

@@ -11,7 +11,7 @@ namespace ease {
 struct Placement {
   size_t piece;
   bool is_turned;  // by half a turn
-  PaperPoint by;        // mm
+  PaperPoint by;   // mm
 };
 
 struct Layout {

@@ -78,16 +78,16 @@ PdfPage tilePage(const Paper& paper, const Tile& tile, const PaperPoint& lower, 
     cross(inner_from + PaperPoint(size.x(), share * size.y()));
   }
   const std::string name = tileName(tile.row, tile.column);
-  for (const PaperPoint& at : {PaperPoint(inner_from.x() + 8.0, inner_to.y() - 8.0), PaperPoint(inner_to.x() - 8.0, inner_to.y() - 8.0),
-                          PaperPoint(inner_from.x() + 8.0, inner_from.y() + 4.0),
-                          PaperPoint(inner_to.x() - 8.0, inner_from.y() + 4.0)})
+  for (const PaperPoint& at :
+       {PaperPoint(inner_from.x() + 8.0, inner_to.y() - 8.0), PaperPoint(inner_to.x() - 8.0, inner_to.y() - 8.0),
+        PaperPoint(inner_from.x() + 8.0, inner_from.y() + 4.0), PaperPoint(inner_to.x() - 8.0, inner_from.y() + 4.0)})
     page.texts.push_back({at, 4.0, 0.0, name});
   const PaperPoint box = from + PaperPoint(4.0, 3.0);
   page.lines.push_back(boxLine(box, box + PaperPoint(kTestBox, 4.0)));
   page.texts.push_back({box + PaperPoint(0.5 * kTestBox, 0.8), 2.4, 0.0, "5 cm"});
-  page.texts.push_back({from + PaperPoint(0.5 * size.x() + 20.0, 3.5), 2.6, 0.0,
-                        fmt::format("{}, page {} of {}; glue {} here", name, number, count,
-                                    tileName(tile.row + 1, tile.column))});
+  page.texts.push_back(
+      {from + PaperPoint(0.5 * size.x() + 20.0, 3.5), 2.6, 0.0,
+       fmt::format("{}, page {} of {}; glue {} here", name, number, count, tileName(tile.row + 1, tile.column))});
   page.texts.push_back({to - PaperPoint(3.0, 0.5 * size.y()), 2.6, 90.0,
                         fmt::format("glue {} here", tileName(tile.row, tile.column + 1))});
   return page;
@@ -97,10 +97,10 @@ PdfPage coverPage(const Drawing& drawing, const Paper& paper, const std::vector<
   PdfPage cover{paper.width, paper.height, {}, {}, {}};
   const double top = paper.height - kMargin, room_x = paper.width - 2.0 * kMargin, room_y = paper.height - 120.0;
   cover.texts.push_back({{0.5 * paper.width, top - 8.0}, 6.0, 0.0, drawing.title});
-  const std::string lines[] = {
-      fmt::format("{} pages; print them at 100 %, not fitted to the page", tiles.size() + 1),
-      "measure the box: it must be 5 cm wide and high",
-      "cut along the right and lower inner line, or fold; glue each page on the strips of its neighbours, cross on cross"};
+  const std::string lines[] = {fmt::format("{} pages; print them at 100 %, not fitted to the page", tiles.size() + 1),
+                               "measure the box: it must be 5 cm wide and high",
+                               "cut along the right and lower inner line, or fold; glue each page on the strips of its "
+                               "neighbours, cross on cross"};
   for (int i = 0; i < 3; ++i) cover.texts.push_back({{0.5 * paper.width, top - 18.0 - 6.0 * i}, 2.8, 0.0, lines[i]});
   const PaperPoint box(kMargin + 5.0, kMargin + 5.0);
   cover.lines.push_back(boxLine(box, box + PaperPoint(kTestBox, kTestBox)));
@@ -111,7 +111,8 @@ PdfPage coverPage(const Drawing& drawing, const Paper& paper, const std::vector<
   for (const Tile& tile : tiles) {
     const PaperPoint lower(tile.column * step.x(), drawing.height - (tile.row + 1) * step.y());
     cover.lines.push_back(boxLine(at + scale * lower, at + scale * (lower + step)));
-    cover.texts.push_back({at + scale * (lower + 0.5 * step) - PaperPoint(0.0, 2.0), 4.0, 0.0, tileName(tile.row, tile.column)});
+    cover.texts.push_back(
+        {at + scale * (lower + 0.5 * step) - PaperPoint(0.0, 2.0), 4.0, 0.0, tileName(tile.row, tile.column)});
   }
   return cover;
 }

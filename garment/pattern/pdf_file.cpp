@@ -17,11 +17,12 @@ constexpr double kLargestPage = 14400.0;  // units; larger pages have larger uni
 constexpr double kCapital = 0.718;        // height of a capital letter of Helvetica, of its size
 
 // Widths of Helvetica's letters from blank to ~, thousandths of its size (Adobe's font metrics).
-constexpr std::array kWidths = {
-    278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556, 556, 556, 556, 556, 556,
-    556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833, 722, 778,
-    667, 778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278, 556,
-    556, 222, 222, 500, 222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584};
+constexpr std::array kWidths = {278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,
+                                556,  556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556,
+                                1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833, 722, 778,
+                                667,  778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556,
+                                333,  556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556,
+                                556,  556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584};
 
 /// UTF-8 as Latin-1, with question marks for what that lacks.
 std::string latin1(const std::string& utf8) {
@@ -159,15 +160,17 @@ std::string pdfText(const Drawing& drawing, const std::vector<PdfPage>& pages) {
   for (const DrawnLine& line : drawing.lines) commands.line(line);
   for (const DrawnText& text : drawing.texts) commands.words(text);
   for (const DrawnPiece& piece : drawing.pieces) commands.piece(piece);
-  pdf.stream(fmt::format("/Type /XObject /Subtype /Form /BBox [0 0 {:.3f} {:.3f}] /Resources << /Font << /F1 3 0 R >> >>",
-                         drawing.width, drawing.height),
-             commands.take());
+  pdf.stream(
+      fmt::format("/Type /XObject /Subtype /Form /BBox [0 0 {:.3f} {:.3f}] /Resources << /Font << /F1 3 0 R >> >>",
+                  drawing.width, drawing.height),
+      commands.take());
   for (size_t i = 0; i < pages.size(); ++i) {
     const PdfPage& page = pages[i];
     const double unit = std::max(1.0, std::ceil(kPoint * std::max(page.width, page.height) / kLargestPage));
-    pdf.object(fmt::format("<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {:.3f} {:.3f}] /UserUnit {:g} /Contents {} 0 R "
-                           "/Resources << /Font << /F1 3 0 R >> /XObject << /D 4 0 R >> >> >>",
-                           kPoint * page.width / unit, kPoint * page.height / unit, unit, kFirstPage + 2 * i + 1));
+    pdf.object(
+        fmt::format("<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {:.3f} {:.3f}] /UserUnit {:g} /Contents {} 0 R "
+                    "/Resources << /Font << /F1 3 0 R >> /XObject << /D 4 0 R >> >> >>",
+                    kPoint * page.width / unit, kPoint * page.height / unit, unit, kFirstPage + 2 * i + 1));
     pdf.stream("", pageCommands(page, unit));
   }
   return pdf.finish();

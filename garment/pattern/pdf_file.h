@@ -14,7 +14,7 @@ namespace ease {
 struct PdfPage {
   double width = 0.0, height = 0.0;
   struct View {
-    PaperPoint at = PaperPoint::Zero();              // of the drawing's lower left corner
+    PaperPoint at = PaperPoint::Zero();  // of the drawing's lower left corner
     double scale = 1.0;
     PaperPoint lower = PaperPoint::Zero(), upper = PaperPoint::Zero();  // box to which it is clipped
   };

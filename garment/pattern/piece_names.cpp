@@ -100,12 +100,14 @@ std::vector<std::string> pieceNames(const CutGarment& cut, const TriangleMesh& g
   const auto beside = [](double p, double q, const char* more, const char* less) -> std::string {
     return std::abs(p - q) < kApart ? "" : p > q ? more : less;
   };
-  tellApart(places, [](const Place& p, const Place&) -> std::string { return frontOrBack(p); }, names);
-  tellApart(places,
-            [&](const Place& p, const Place& q) { return beside(p.middle.x(), q.middle.x(), "left", "right"); }, names);
-  tellApart(places,
-            [&](const Place& p, const Place& q) { return beside(p.middle.y(), q.middle.y(), "upper", "lower"); },
-            names);
+  tellApart(
+      places, [](const Place& p, const Place&) -> std::string { return frontOrBack(p); }, names);
+  tellApart(
+      places, [&](const Place& p, const Place& q) { return beside(p.middle.x(), q.middle.x(), "left", "right"); },
+      names);
+  tellApart(
+      places, [&](const Place& p, const Place& q) { return beside(p.middle.y(), q.middle.y(), "upper", "lower"); },
+      names);
   std::map<int, std::string> named;
   for (const PieceName& name : given) {
     const int piece = pieceAt(name.at, cut, garment);

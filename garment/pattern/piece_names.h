@@ -2,7 +2,8 @@
 //
 //   one loop besides hem and neck around it   the loop's name: "left sleeve"
 //   else                                      "front" or "back", "left" or "right", where most of it faces
-//   several of one name                       with "front" or "back", "left" or "right", "upper" or "lower", or a number
+//   several of one name                       with "front" or "back", "left" or "right", "upper" or "lower", or a
+//   number
 #pragma once
 
 #include "garment/pattern/flat_pattern.h"

@@ -1,22 +1,34 @@
 #include "garment/pattern/sew_line.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ease {
 namespace {
 
-constexpr double kMillimetres = 1000.0;  // in a metre
-constexpr int kSmoothings = 8;          // of an edge
+constexpr double kMillimetres = 1000.0;   // in a metre
+constexpr int kSmoothings = 4;            // of an edge
+constexpr double kCorner = 40.0;          // degrees: sharper bends are corners and stay
+constexpr size_t kBend = 3;               // points on either side by which a bend is measured
 constexpr int kSmoothingsOfOpening = 60;  // of a line along edges of the mesh
-constexpr double kAlike = 2.0;  // mm: how far mirror images may differ
-constexpr int kSamples = 200;   // points along an outline that are compared
+constexpr double kAlike = 2.0;            // mm: how far mirror images may differ
+constexpr int kSamples = 200;             // points along an outline that are compared
 
-/// Moves inner points to the middle of their neighbours and themselves, again and again.
-void smooth(int passes, std::vector<PaperPoint>& points) {
+/// Whether the line bends sharply at point i.
+bool isCorner(const std::vector<PaperPoint>& points, size_t i) {
+  const PaperPoint a = points[i] - points[i - std::min(i, kBend)],
+                   b = points[std::min(i + kBend, points.size() - 1)] - points[i];
+  return a.dot(b) < std::cos(kCorner * M_PI / 180.0) * a.norm() * b.norm();
+}
+
+/// Moves inner points but corners to the middle of their neighbours and themselves, again and again.
+void smooth(int passes, bool keeps_corners, std::vector<PaperPoint>& points) {
+  std::vector<char> stays(points.size(), 1);
+  for (size_t i = 1; i + 1 < points.size(); ++i) stays[i] = keeps_corners && isCorner(points, i) ? 1 : 0;
   for (int pass = 0; pass < passes; ++pass) {
     const std::vector<PaperPoint> before = points;
     for (size_t i = 1; i + 1 < points.size(); ++i)
-      points[i] = 0.25 * before[i - 1] + 0.5 * before[i] + 0.25 * before[i + 1];
+      if (!stays[i]) points[i] = 0.25 * before[i - 1] + 0.5 * before[i] + 0.25 * before[i + 1];
   }
 }
 
@@ -80,7 +92,8 @@ SewLine sewLine(const FlatPattern& pattern, int piece, const Allowances& allowan
     drawn.is_folded = edge.line < 0;
     drawn.is_dart = isDartLeg(pattern.cut, e);
     if (drawn.is_dart) drawn.width = 0.0;
-    smooth(edge.kind == LineKind::opened ? kSmoothingsOfOpening : kSmoothings, drawn.points);
+    const bool is_zigzag = edge.kind == LineKind::opened;
+    smooth(is_zigzag ? kSmoothingsOfOpening : kSmoothings, !is_zigzag, drawn.points);
     line.edges.push_back(std::move(drawn));
     line.numbers.push_back(e);
   }
@@ -108,8 +121,7 @@ std::vector<double> drawnLengths(const FlatPattern& pattern) {
     const SewLine line = sewLine(pattern, p, Allowances());
     for (size_t i = 0; i < line.edges.size(); ++i)
       for (size_t k = 0; k + 1 < line.edges[i].points.size(); ++k)
-        lengths[line.numbers[i]] +=
-            (line.edges[i].points[k + 1] - line.edges[i].points[k]).norm() / kMillimetres;
+        lengths[line.numbers[i]] += (line.edges[i].points[k + 1] - line.edges[i].points[k]).norm() / kMillimetres;
   }
   return lengths;
 }

@@ -12,11 +12,16 @@ namespace {
 std::string escaped(const std::string& words) {
   std::string text;
   for (const char c : words) {
-    if (c == '&') text += "&amp;";
-    else if (c == '<') text += "&lt;";
-    else if (c == '>') text += "&gt;";
-    else if (c == '"') text += "&quot;";
-    else text += c;
+    if (c == '&')
+      text += "&amp;";
+    else if (c == '<')
+      text += "&lt;";
+    else if (c == '>')
+      text += "&gt;";
+    else if (c == '"')
+      text += "&quot;";
+    else
+      text += c;
   }
   return text;
 }
@@ -98,13 +103,18 @@ class SvgWriter {
 
 int colourOf(Ink ink) {
   switch (ink) {
-    case Ink::cut: return 0xd00000;
-    case Ink::sew: return 0x0040d0;
-    case Ink::inner: return 0x0040d0;
+    case Ink::cut:
+      return 0xd00000;
+    case Ink::sew:
+      return 0x0040d0;
+    case Ink::inner:
+      return 0x0040d0;
     case Ink::notch:
     case Ink::drill:
-    case Ink::grain: return 0x008030;
-    case Ink::paper: return 0x000000;
+    case Ink::grain:
+      return 0x008030;
+    case Ink::paper:
+      return 0x000000;
   }
   return 0;
 }

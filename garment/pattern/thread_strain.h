@@ -31,9 +31,9 @@ struct StrainSummary {
 
 /// Limits up to which a piece counts as flat enough.
 struct StrainLimits {
-  double thread = 0.05;          // stretch along warp and weft
+  double thread = 0.05;                     // stretch along warp and weft
   double shear = 14.0 / 57.29577951308232;  // rad
-  double share = 0.98;           // of the area that must keep the thread limit; 99 % must keep that of the shear
+  double share = 0.98;  // of the area that must keep the thread limit; 99 % must keep that of the shear
 };
 
 /// Summary over the triangles with `piece_of_triangle` == piece.

@@ -13,9 +13,10 @@ struct LeftPolar {
 };
 
 inline LeftPolar leftPolar(const Mat2& F) {
-  const double angle = std::atan2(F(1, 0) - F(0, 1), F(0, 0) + F(1, 1));
+  const double x = F(0, 0) + F(1, 1), y = F(1, 0) - F(0, 1), length = std::sqrt(x * x + y * y);
+  const double c = length > 0.0 ? x / length : 1.0, s = length > 0.0 ? y / length : 0.0;
   LeftPolar polar;
-  polar.R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  polar.R << c, -s, s, c;
   polar.S = F * polar.R.transpose();
   return polar;
 }

@@ -12,8 +12,8 @@
 // The matrix A is a weighted cotangent Laplacian plus a diagonal. It is n x n and symmetric, positive definite if every
 // connected part has some m_i > 0, and has three right-hand sides. Four algorithms use this system: the global step of
 // projective dynamics (Bouaziz et al. 2014), the stitcher of adapted triangles (Sorkine and Alexa 2007), the
-// interpolation of poses (Sumner and Popovic 2004) and the flattening of pattern pieces, which alone has bonds. Different weights along warp and weft are put into the columns of
-// D^-1.
+// interpolation of poses (Sumner and Popovic 2004) and the flattening of pattern pieces, which alone has bonds.
+// Different weights along warp and weft are put into the columns of D^-1.
 //
 // The stitcher and the interpolation use a simplicial factor in double precision, which is faster to compute.
 // Projective dynamics solves about ten times per step and uses panels (panels.h), which are faster to solve with.

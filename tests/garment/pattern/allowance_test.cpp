@@ -46,9 +46,9 @@ TEST_CASE("a square has a square around it") {
 
 TEST_CASE("a wide hem folded up ends on the cut line of the sides, at corners of any angle") {
   for (const double flare : {-30.0, 0.0, 30.0}) {  // mm by which the hem is wider at each end than the waist
-    const std::vector<SewnEdge> edges = {
-        edge({{-flare, 0}, {100 + flare, 0}}, 30, true), edge({{100 + flare, 0}, {100, 200}}, 10),
-        edge({{100, 200}, {0, 200}}, 10), edge({{0, 200}, {-flare, 0}}, 10)};
+    const std::vector<SewnEdge> edges = {edge({{-flare, 0}, {100 + flare, 0}}, 30, true),
+                                         edge({{100 + flare, 0}, {100, 200}}, 10), edge({{100, 200}, {0, 200}}, 10),
+                                         edge({{0, 200}, {-flare, 0}}, 10)};
     const std::vector<PaperPoint> cut = cutLine(edges);
     const Bounds bounds = boundsOf(cut);
     CHECK(bounds.lower.y() == Approx(-30.0));
@@ -80,9 +80,9 @@ TEST_CASE("the cut line runs across the mouth of a dart as a roof on its axis") 
   leg.points = {{55, 100}, {50, 40}};
   back.points = {{50, 40}, {45, 100}};
   leg.is_dart = back.is_dart = true;
-  const std::vector<SewnEdge> edges = {edge({{0, 0}, {100, 0}}, 10), edge({{100, 0}, {100, 100}}, 10),
-                                       edge({{100, 100}, {55, 100}}, 10), leg, back, edge({{45, 100}, {0, 100}}, 10),
-                                       edge({{0, 100}, {0, 0}}, 10)};
+  const std::vector<SewnEdge> edges = {
+      edge({{0, 0}, {100, 0}}, 10),    edge({{100, 0}, {100, 100}}, 10), edge({{100, 100}, {55, 100}}, 10), leg, back,
+      edge({{45, 100}, {0, 100}}, 10), edge({{0, 100}, {0, 0}}, 10)};
   const std::vector<PaperPoint> cut = cutLine(edges);
   checkCut(edges, cut);
   double highest = 0.0;

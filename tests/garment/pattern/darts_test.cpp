@@ -8,8 +8,7 @@ using namespace ease;
 
 namespace {
 
-const RestGarment kSaddle =
-    restGarment(bentSheet(24, 0.5, [](double x, double y) { return 2.2 * (x * x - y * y); }));
+const RestGarment kSaddle = restGarment(bentSheet(24, 0.5, [](double x, double y) { return 2.2 * (x * x - y * y); }));
 
 FlatSettings strict(int darts) {
   FlatSettings settings;

@@ -7,7 +7,8 @@
 using namespace ease;
 
 TEST_CASE("a DXF passes the audit of ezdxf, with the layers, units and lengths of the trade's form") {
-  if (run("python3 -c 'import ezdxf'").code != 0) {
+  const std::string python = "/usr/bin/python3 ";  // for which Debian's package is
+  if (run(python + "-c 'import ezdxf'").code != 0) {
     WARN("ezdxf is not installed");
     return;
   }
@@ -32,7 +33,7 @@ for insert in inserts:
     assert any(t.dxf.text.startswith('PIECE NAME: ') for t in block.query('TEXT'))
 print('ok')
 )");
-  const Ran ran = run("python3 " + script.path() + " " + file.path());
+  const Ran ran = run(python + script.path() + " " + file.path());
   INFO(ran.output);
   CHECK(ran.code == 0);
 }

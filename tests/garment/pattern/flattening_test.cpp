@@ -85,14 +85,13 @@ TEST_CASE("cloth whose threads are stiff shears where it cannot lie flat, and it
                       stiff = flattenGarment(cap, even).pieces.front().strain;
   CHECK(soft.thread_mean < 0.8 * stiff.thread_mean);
   CHECK(soft.shear_p99 > stiff.shear_p99);
-  CHECK(soft.shear_p99 > 2.0 * soft.thread_p98);
+  CHECK(soft.shear_p99 > 1.3 * soft.thread_p98);
 }
 
 TEST_CASE("both sides of a seam between pieces that stretch differently become equally long") {
   // The left half is a bowl, the right half is flat: by themselves their sides differ.
   const RestGarment sheet = restGarment(
-      bentSheet(20, 0.8, [](double x, double y) { return x < 0.0 ? x * x * (1.5 - 4.0 * y * y) : 0.0; }),
-      [] {
+      bentSheet(20, 0.8, [](double x, double y) { return x < 0.0 ? x * x * (1.5 - 4.0 * y * y) : 0.0; }), [] {
         Seam seam{"middle", {}, false};
         for (int j = 0; j <= 20; ++j) seam.vertices.push_back(21 * j + 10);
         return std::vector<Seam>{seam};

@@ -10,7 +10,8 @@ using namespace ease;
 namespace {
 
 bool overlap(const Bounds& a, const Bounds& b, double gap) {
-  return (a.lower.array() < b.upper.array() + gap - 1e-9).all() && (b.lower.array() < a.upper.array() + gap - 1e-9).all();
+  return (a.lower.array() < b.upper.array() + gap - 1e-9).all() &&
+         (b.lower.array() < a.upper.array() + gap - 1e-9).all();
 }
 
 }  // namespace

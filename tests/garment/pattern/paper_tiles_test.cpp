@@ -57,7 +57,8 @@ TEST_CASE("the test box measures 50 mm in the file as another program reads it")
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   std::filesystem::remove(svg);
   // Paths as "M x y L x y ..." under transform="matrix(a,b,c,d,e,f)": any horizontal side of 50 mm will do.
-  const std::regex path("d=\"M ([-0-9.]+) ([-0-9.]+) L ([-0-9.]+) ([-0-9.]+)[^\"]*\"[^>]*transform=\"matrix\\(([-0-9.]+)");
+  const std::regex path(
+      "d=\"M ([-0-9.]+) ([-0-9.]+) L ([-0-9.]+) ([-0-9.]+)[^\"]*\"[^>]*transform=\"matrix\\(([-0-9.]+)");
   bool is_found = false;
   for (auto it = std::sregex_iterator(text.begin(), text.end(), path); it != std::sregex_iterator(); ++it) {
     const double length = std::abs(std::stod((*it)[3]) - std::stod((*it)[1])) * std::stod((*it)[5]);

@@ -20,7 +20,8 @@ TEST_CASE("a PDF of one sheet has the sheet's size") {
   CHECK(info.output.find("Error") == std::string::npos);
   CHECK(info.output.find("Pages:           1\n") != std::string::npos);
   double width = 0.0, height = 0.0;
-  REQUIRE(std::sscanf(info.output.c_str() + info.output.find("Page size:"), "Page size: %lf x %lf", &width, &height) == 2);
+  REQUIRE(std::sscanf(info.output.c_str() + info.output.find("Page size:"), "Page size: %lf x %lf", &width, &height) ==
+          2);
   CHECK(width * 25.4 / 72.0 == Approx(sheet.width).margin(0.01));
   CHECK(height * 25.4 / 72.0 == Approx(sheet.height).margin(0.01));
 }
