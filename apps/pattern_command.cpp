@@ -3,6 +3,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -48,6 +49,7 @@ std::string sceneOf(const fs::path& directory) {
 WovenSettings wovenOf(const Material& material, const StrainLimits& limits) {
   WovenSettings woven;
   woven.shear_limit = limits.shear;
+  woven.seam_weight = 15.0;
   if (material.membrane == Membrane::isotropic) {  // (warp, weft) any two directions: shear is half of a stretch
     woven.shear = 0.5;
     return woven;
@@ -56,7 +58,10 @@ WovenSettings wovenOf(const Material& material, const StrainLimits& limits) {
   constexpr double kLeast = 0.02;  // of the largest: cloth that resists nothing along a thread has no shape
   woven.warp = std::max(kLeast, material.stretch_warp / largest);
   woven.weft = std::max(kLeast, material.stretch_weft / largest);
-  woven.shear = std::clamp(material.shear / largest, kLeast, 1.0);
+  // Shear at its limit is to cost no more than stretch at its own, however stiff the material is: only then are both
+  // limits reached by the same shape.
+  const double by_limits = std::pow(limits.thread / (0.5 * limits.shear), 2);
+  woven.shear = std::clamp(std::min(material.shear / largest, by_limits), kLeast, 1.0);
   return woven;
 }
 

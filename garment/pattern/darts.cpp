@@ -14,11 +14,11 @@
 namespace ease {
 namespace {
 
-constexpr int kCandidates = 32;        // tips that are tried at a time
+constexpr int kCandidates = 40;        // tips that are tried at a time
 constexpr double kShortest = 0.03;     // m: darts are at least this long
-constexpr double kLeastGain = 0.1;     // of what is left; a dart must gain at least that
+constexpr double kLeastGain = 0.07;    // of what is left; a dart must gain at least that
 constexpr double kMirrorReach = 0.02;  // m
-constexpr int kTrialIterations = 25;
+constexpr int kTrialIterations = 40;
 constexpr int kIterations = 120;  // with the darts found so far
 constexpr int kRefused = 4;       // best candidates that are flattened further before none is taken
 
@@ -146,6 +146,7 @@ class DartSearch {
       const Trial next = flattenPart(part_, darts, settings_, kIterations);
       if (next.is_sound && now.badness.all() - next.badness.all() >= least) {
         for (const int v : darts.back().vertices) taken_[v] = 1;
+        others_.push_back(positionsOf(darts.back().vertices, part_.mesh.positions));
         now = next;
         part_.x = now.x;
         return true;
@@ -228,7 +229,7 @@ class DartSearch {
   Part part_;
   const FlatSettings& settings_;
   const Inside inside_;
-  const std::vector<std::vector<Vec3>>& others_;  // points of darts on other pieces, m
+  std::vector<std::vector<Vec3>> others_;  // points of the darts so far, on this and on other pieces, m
   std::vector<char> taken_;
 };
 
