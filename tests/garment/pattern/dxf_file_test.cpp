@@ -24,7 +24,7 @@ assert len(inserts) == 2, len(inserts)
 for insert in inserts:
     block = doc.blocks[insert.dxf.name]
     lines = {p.dxf.layer: p for p in block.query('POLYLINE')}
-    length = lambda p: sum(math.dist(a[:2], b[:2]) for a, b in zip(list(p.points()), list(p.points())[1:] + list(p.points())[:1]))
+    length = lambda p: sum(math.dist((a.x, a.y), (b.x, b.y)) for a, b in zip(list(p.points()), list(p.points())[1:] + list(p.points())[:1]))
     assert lines['1'].is_closed and abs(length(lines['1']) - 2 * (220 + 320)) < 0.1
     assert lines['14'].is_closed and abs(length(lines['14']) - 2 * (200 + 300)) < 0.1
     notch = [p for p in block.query('POINT') if p.dxf.layer == '4'][0]
