@@ -60,7 +60,7 @@ class Replay {
     RunWatch watch;
     watch.interrupted = &interrupted_;
     watch.on_stretch = [&](const std::vector<Stretch>& stretch) {
-      if (demand) demand->add(cloth_, stretch, Margin());
+      if (demand) demand->add(cloth_, stretch);
     };
     watch.on_step = [&](const Moment& moment) {
       if (is_held || moment.pose < 0) return;
