@@ -23,6 +23,7 @@ Examples:
   ease run scenes/t-shirt.toml                    results in results/t-shirt
   ease run scenes/t-shirt.toml -o out/shirt      results in out/shirt
   ease check scenes/t-shirt.toml                  reads and checks everything, computes nothing
+  ease pattern scenes/tunic.toml                  sewing pattern
 Every key of a scene, with its unit, is explained in scenes/t-shirt.toml; those of the tools that make a garment, in
 scenes/tunic.toml.
 Exit codes: 0 done, 1 wrong input, 2 the computation failed, 130 interrupted.)";
@@ -39,6 +40,12 @@ constexpr const char* kGarmentExamples = R"(
 Examples:
   ease garment scenes/tunic.toml                 garment.obj, garment.vtp, garment.json, garment.png in results/tunic
   ease garment scenes/tunic.toml --pieces        cut along its seams as well)";
+
+constexpr const char* kPatternExamples = R"(
+Examples:
+  ease pattern scenes/tunic.toml                 runs the scene if its results are not there yet, then makes the pattern
+  ease pattern results/tunic                     of a finished run
+Print pattern_a4.pdf at 100 %, or cut pattern.pdf, .svg or .dxf; pattern_resewn.png shows the garment sewn from it.)";
 
 constexpr const char* kCheckExamples = R"(
 Example:
@@ -59,7 +66,7 @@ ExitCode wrongUsage(const std::string& line) {
 /// Returns the message about an unknown word of the command line, with a suggestion of what was probably meant.
 std::string unknownText(const CLI::App& app, const std::string& word) {
   const bool is_option = word.front() == '-', has_command = !app.get_subcommands().empty();
-  std::vector<std::string> known = {"run", "check", "garment"};
+  std::vector<std::string> known = {"run", "check", "garment", "pattern"};
   if (is_option || has_command) known.clear();
   if (is_option)
     for (const CLI::Option* option : (has_command ? app.get_subcommands().front() : &app)->get_options())
@@ -104,6 +111,14 @@ ExitCode parsed(int argc, char** argv) {
   garment->add_flag("--pieces", arguments.pieces, "Cut it along its seams as well: pieces.obj, .vtp, .json");
   garment->footer(kGarmentExamples);
 
+  CLI::App* pattern = app.add_subcommand("pattern", "Make the sewing pattern of the fitted garment, and check it");
+  pattern->add_option("SCENE", arguments.scene, "Scene file, TOML, or the directory of a finished run")->required();
+  pattern->add_option("-o,--output", arguments.directory,
+                      "Directory for the files; by default that of the run, results/<scene's name>");
+  pattern->add_option("--threads", arguments.threads, "Number of threads, 0 for all; by default as the scene says")
+      ->check(CLI::Range(0, 1024));
+  pattern->footer(kPatternExamples);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -114,7 +129,8 @@ ExitCode parsed(int argc, char** argv) {
   if (run->parsed()) return guarded([&] { return runCommand(arguments, interrupted); });
   if (check->parsed()) return guarded([&] { return checkCommand(arguments, interrupted); });
   if (garment->parsed()) return guarded([&] { return garmentCommand(arguments, interrupted); });
-  return wrongUsage("no command: expected 'run', 'garment' or 'check'");
+  if (pattern->parsed()) return guarded([&] { return patternCommand(arguments, interrupted); });
+  return wrongUsage("no command: expected 'run', 'garment', 'pattern' or 'check'");
 }
 
 /// Whether everything that was printed could be written; prints an error if not.

@@ -10,7 +10,7 @@ namespace ease {
 enum ExitCode { kDone = 0, kWrongInput = 1, kFailed = 2, kInterrupted = 130 };
 
 struct Arguments {
-  std::string scene;
+  std::string scene;      // `ease pattern`: or the directory of a finished run
   std::string directory;  // empty: results/<name>
   int threads = -1;       // number of threads; 0: all, -1: the scene's number
   std::string resumed;    // directory of an earlier run to resume, or empty
@@ -29,5 +29,6 @@ ExitCode guarded(const std::function<ExitCode()>& command);
 ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interrupted);
 ExitCode checkCommand(const Arguments& arguments, const std::atomic<bool>& interrupted);
 ExitCode garmentCommand(const Arguments& arguments, const std::atomic<bool>& interrupted);
+ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& interrupted);
 
 }  // namespace ease

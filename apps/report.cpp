@@ -88,6 +88,7 @@ Json toJson(const Report& report, const Scene& scene) {
   const PassRecord& run = report.run;
   Json json;
   json["scene"] = scene.name;
+  json["scene_file"] = std::filesystem::absolute(scene.file).lexically_normal().string();
   json["version"] = EASE_VERSION;
   json["method"] = nameOf(scene.solver.method);
   json["vertices"] = report.vertices;

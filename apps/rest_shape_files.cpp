@@ -40,8 +40,8 @@ RestShapeFigures writeRestShape(const Cloth& cloth, const SceneInput& given, con
   const Frame rest = restored(restFrame(cloth, firstAreas(cloth)), numbering);
   writeObj(directory / "rest_shape.obj", {rest.positions, given.garment.triangles});
   writeVtp(directory / "rest_shape.vtp", given.garment.triangles, rest);
-  if (given.authored && !given.authored->seams.empty())
-    writePieces({rest.positions, given.garment.triangles}, given.authored->seams, directory, "rest_pieces");
+  if (!given.seams.empty())
+    writePieces({rest.positions, given.garment.triangles}, given.seams, directory, "rest_pieces");
   return {growthOf(cloth), foldedEdges(cloth, cloth.first().positions)};
 }
 

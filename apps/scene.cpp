@@ -249,7 +249,7 @@ void checkLength(const TomlTable& root, const Scene& scene) {
 
 Scene readScene(const std::filesystem::path& file) {
   const TomlTable root = TomlTable::read(file);
-  root.allow({"name", "body", "garment", "material", "solver", "collision", "adaption", "output"});
+  root.allow({"name", "body", "garment", "material", "solver", "collision", "adaption", "output", "pattern"});
   Scene scene;
   scene.file = file;
   scene.name = readName(root, file);
@@ -272,6 +272,7 @@ Scene readScene(const std::filesystem::path& file) {
   if (const auto adaption = root.table("adaption")) scene.adaption = readAdaption(*adaption, scene.solver.time_step);
   if (fitsInPasses(scene) && !(material && material->has("compression"))) scene.material.compression = kPassCompression;
   if (const auto output = root.table("output")) scene.output = readOutput(*output);
+  if (const auto pattern = root.table("pattern")) scene.pattern = readPattern(*pattern);
   checkLength(root, scene);
   return scene;
 }

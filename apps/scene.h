@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adaption/fit.h"
+#include "apps/scene_pattern.h"
 #include "garment/authoring.h"
 #include "solver/base/error.h"
 #include "solver/mesh/numbering.h"
@@ -36,6 +37,7 @@ struct GarmentScene {
   std::string builtin;                   // "t-shirt", "dress"
   int vertices = 3000;                   // approximate number of vertices of the built-in garment
   std::optional<GarmentTools> tools;     // tools that make the garment on the first pose, instead of mesh or builtin
+  std::vector<SeamRequest> seams;        // of a mesh or a built-in garment; those of a made one are among the tools
   std::vector<Brush> paint;              // scale factors of the rest shape
   std::optional<double> comfort_offset;  // m; copied to CollisionScene
   std::vector<Brush> comfort_regions;    // offsets, m
@@ -91,6 +93,7 @@ struct Scene {
   CollisionScene collision;
   std::optional<AdaptionScene> adaption;
   std::optional<OutputScene> output;
+  PatternScene pattern;
 };
 
 /// Whether the scene's rest shape is fitted in passes.
@@ -110,6 +113,8 @@ struct SceneInput {
   std::vector<Positions> poses;        // same order as pose_names
   std::vector<std::vector<int>> pins;  // vertices of each [[garment.pin]]
   std::optional<AuthoredGarment> authored;
+  std::vector<NamedLoop> loops;       // of the garment; empty where it is read or built in and has no seams
+  std::vector<Seam> seams;            // of the garment
   std::vector<double> offsets;        // comfort offset of every vertex of the garment, m
   std::vector<double> paint;          // scale factor of every triangle's rest shape; empty: no paint
   std::vector<std::string> warnings;  // one line each
@@ -139,7 +144,7 @@ struct InputNumbering {
 /// Numbers vertices and triangles along a space-filling curve, those of the body by their places in its first pose.
 InputNumbering spatialNumbering(const SceneInput& input);
 
-/// Returns the input in another order of vertices and triangles.  `authored` is left empty.
+/// Returns the input in another order of vertices and triangles.  `authored`, `loops` and `seams` are left empty.
 SceneInput renumbered(const SceneInput& input, const InputNumbering& numbering);
 
 }  // namespace ease

@@ -13,6 +13,7 @@
 #include "collision/triangle_tree.h"
 #include "garment/builtin_garment.h"
 #include "garment/comfort.h"
+#include "garment/named_loop.h"
 #include "garment/paint.h"
 #include "solver/base/error.h"
 #include "solver/io/mesh_io.h"
@@ -136,6 +137,18 @@ auto ofGarment(const Scene& scene, const Make& make) {
   }
 }
 
+/// Draws the seams of a garment that no tools made; its vertices near them slide within its surface.
+void drawSeams(const Scene& scene, const std::string& name, SceneInput& input) {
+  if (scene.garment.seams.empty()) return;
+  checkGeometry(input.garment, name);
+  checkVerticesUsed(input.garment, name);
+  const Topology topology = buildTopology(input.garment, name);
+  LoopedMesh looped{input.garment, nameLoops(topology, input.garment.positions)};
+  input.seams = ofGarment(scene, [&] { return findSeams(scene.garment.seams, looped); });
+  input.garment = looped.mesh;
+  input.loops = looped.loops;
+}
+
 /// Reads or makes the garment and returns its name for messages.  `offset`: comfort offset for which a built-in garment
 /// is made, m.
 std::string readGarment(const Scene& scene, double offset, const Warn& warn, const Pause& pause, SceneInput& input) {
@@ -149,14 +162,18 @@ std::string readGarment(const Scene& scene, double offset, const Warn& warn, con
     for (const std::string& flaw : flawsOf(input.authored->quality)) warn(name + " as made: " + flaw);
     input.garment = input.authored->garment.mesh;
     input.offsets = input.authored->offsets;
+    input.loops = input.authored->garment.loops;
+    input.seams = input.authored->seams;
     return name;
   }
   if (!garment.builtin.empty()) {
     input.garment = builtinGarment(garment.builtin, garment.vertices, offset);
+    drawSeams(scene, "the built-in garment", input);
     return fmt::format("{}: [garment] builtin = '{}'", scene.file.string(), garment.builtin);
   }
   const std::filesystem::path file = besideScene(scene, garment.mesh);
   input.garment = readNamedMesh(scene, "[garment] mesh", garment.mesh);
+  drawSeams(scene, file.string(), input);
   return file.string();
 }
 
@@ -266,6 +283,8 @@ SceneInput renumbered(const SceneInput& input, const InputNumbering& numbering) 
   for (std::vector<int>& pin : ordered.pins)
     for (int& v : pin) v = number[v];
   ordered.authored.reset();
+  ordered.loops.clear();
+  ordered.seams.clear();
   ordered.offsets = renumbered(input.offsets, numbering.garment.vertices);
   ordered.paint = renumbered(input.paint, numbering.garment.triangles);
   ordered.body_triangles = renumbered(input.body_triangles, numbering.body);

@@ -80,6 +80,13 @@ SeamRequest readSeam(const TomlTable& table, std::set<std::string>& names) {
   return seam;
 }
 
+std::vector<SeamRequest> readSeams(const TomlTable& table) {
+  std::set<std::string> names;
+  std::vector<SeamRequest> seams;
+  for (const TomlTable& seam : table.tables("seam")) seams.push_back(readSeam(seam, names));
+  return seams;
+}
+
 void readMaking(const TomlTable& table, GarmentTools& tools) {
   std::set<std::string> names;
   for (const TomlTable& boundary : table.tables("boundary")) tools.boundaries.push_back(readBoundary(boundary, names));
@@ -92,8 +99,7 @@ void readMaking(const TomlTable& table, GarmentTools& tools) {
   tools.resolution = table.integer("resolution", tools.resolution, 100, 200000);
   tools.edge_length = table.number("edge_length", tools.edge_length, {0.001, 0.2, false, "m"});
   for (const TomlTable& extension : table.tables("extension")) tools.extensions.push_back(readExtension(extension));
-  names.clear();
-  for (const TomlTable& seam : table.tables("seam")) tools.seams.push_back(readSeam(seam, names));
+  tools.seams = readSeams(table);
   tools.smoothing = table.number("smoothing", tools.smoothing, {0.001, 0.1, false, "m"});
 }
 
@@ -139,13 +145,16 @@ Brush readBall(const TomlTable& table) {
 
 void readGarmentTools(const TomlTable& table, bool has_body, GarmentScene& garment) {
   const bool has_loops = !table.tables("boundary").empty();
-  for (const char* key : {"region", "resolution", "edge_length", "smoothing", "extension", "seam"})
+  for (const char* key : {"region", "resolution", "edge_length", "smoothing", "extension"})
     if (!has_loops && table.has(key)) table.refuse(key, fmt::format("[[garment.boundary]] loops for '{}'", key));
   for (const char* key : {"boundary", "comfort"})
     if (!has_body && table.has(key)) table.refuse(key, "a [body] for it");
   for (const char* key : {"mesh", "builtin"})
     if (has_loops && table.has(key)) table.refuse(key, "either this or [[garment.boundary]] loops, not both");
-  if (has_loops) readMaking(table, garment.tools.emplace());
+  if (has_loops)
+    readMaking(table, garment.tools.emplace());
+  else
+    garment.seams = readSeams(table);
   if (const auto comfort = table.table("comfort")) readComfort(*comfort, garment);
   for (const TomlTable& paint : table.tables("paint")) garment.paint.push_back(readPaint(paint));
 }

@@ -156,6 +156,20 @@ bool TomlTable::isText(std::string_view key) const {
   return has(key) && data_->table->get(key)->is_string();
 }
 
+bool TomlTable::isTable(std::string_view key) const {
+  return has(key) && data_->table->get(key)->is_table();
+}
+
+bool TomlTable::isBoolean(std::string_view key) const {
+  return has(key) && data_->table->get(key)->is_boolean();
+}
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, node] : *data_->table) keys.emplace_back(key.str());
+  return keys;
+}
+
 std::optional<TomlTable> TomlTable::table(std::string_view key) const {
   const toml::node* node = data_->table->get(key);
   if (!node) return std::nullopt;

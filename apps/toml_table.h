@@ -56,6 +56,11 @@ class TomlTable {
 
   bool isArray(std::string_view key) const;
   bool isText(std::string_view key) const;
+  bool isTable(std::string_view key) const;
+  bool isBoolean(std::string_view key) const;
+
+  /// All keys of the table, for one whose keys are names that users choose.
+  std::vector<std::string> keys() const;
 
   /// Throws InputError with the key's line and value (or that it is missing) and with what was expected.
   [[noreturn]] void refuse(std::string_view key, const std::string& expected) const;

@@ -17,10 +17,11 @@ _ease() {
 
   local words
   case $command in
-    "") words="run check garment --help --version" ;;
+    "") words="run check garment pattern --help --version" ;;
     run) words="--output --threads --resume --help" ;;
     check) words="--help" ;;
     garment) words="--output --pieces --help" ;;
+    pattern) words="--output --threads --help" ;;
     *) return ;;
   esac
   if [ -z "$command" ] || [[ $current == -* ]]; then

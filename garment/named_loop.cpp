@@ -60,4 +60,19 @@ const std::vector<int>& findLoop(const Topology& topology, const Positions& posi
   return loops[reach[0].second];
 }
 
+std::vector<NamedLoop> nameLoops(const Topology& topology, const Positions& positions) {
+  std::vector<NamedLoop> loops;
+  for (std::size_t l = 0; l < topology.boundary_loops.size(); ++l)
+    loops.push_back({fmt::format("{}", l), topology.boundary_loops[l]});
+  for (const char* name : {"right", "left", "hem", "neck"}) {  // the last name of a loop counts
+    try {
+      const std::vector<int>& named = findLoop(topology, positions, name);
+      for (NamedLoop& loop : loops)
+        if (loop.vertices == named) loop.name = name;
+    } catch (const InputError&) {  // two loops lie equally far: neither has this name
+    }
+  }
+  return loops;
+}
+
 }  // namespace ease

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "garment/looped_mesh.h"
 #include "solver/mesh/topology.h"
 
 namespace ease {
@@ -13,5 +14,9 @@ namespace ease {
 /// InputError naming the loops that exist if none is called `where` or two lie equally far, within 1 % of the mesh's
 /// diagonal.
 const std::vector<int>& findLoop(const Topology& topology, const Positions& positions, const std::string& where);
+
+/// All boundary loops by the names that findLoop() takes: "neck", "hem", "left" and "right" where these are clear, else
+/// their index.
+std::vector<NamedLoop> nameLoops(const Topology& topology, const Positions& positions);
 
 }  // namespace ease

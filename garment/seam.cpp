@@ -32,6 +32,9 @@ class SeamFinder {
 
   const Topology& topology() const { return topology_; }
 
+  /// Tells of a seam that later ones may begin or end on.
+  void add(const Seam& seam) { found_.push_back(seam); }
+
   SeamLine line(const SeamRequest& request) const {
     if (request.plane) return inPlane(request);
     for (size_t i = 0; i < request.points.size(); ++i)
@@ -41,12 +44,17 @@ class SeamFinder {
   }
 
   /// Finds the chain of mesh edges along a line.
-  Seam chain(const std::string& name, const SeamLine& line) const {
+  Seam chain(const SeamRequest& request, const SeamLine& line) const {
+    const std::string& name = request.name;
     Seam seam{name, {}, line.is_closed};
     const size_t n = line.points.size();
     if (!line.is_closed) {
-      seam.vertices = chainBetween(name, line, nearestVertex(line.points.front(), true),
-                                   nearestVertex(line.points.back(), true), {});
+      const bool in_plane = request.plane.has_value();
+      const int from = in_plane ? nearestVertex(line.points.front(), true)
+                                : nearestOf(verticesOf(request.name, request.from), line.points.front());
+      const int to = in_plane ? nearestVertex(line.points.back(), true)
+                              : nearestOf(verticesOf(request.name, request.to), line.points.back());
+      seam.vertices = chainBetween(name, line, from, to, {});
     } else {  // in three parts, because the shortest closed path from a vertex to itself is to stay there
       std::vector<int> corners;
       for (size_t k = 0; k < 3; ++k) corners.push_back(nearestVertex(line.points[k * n / 3], false));
@@ -97,18 +105,23 @@ class SeamFinder {
     return line;
   }
 
+  /// The vertices of a loop, or of a seam found before.
+  const std::vector<int>& verticesOf(const std::string& seam, const std::string& name) const {
+    for (const Seam& found : found_)
+      if (found.name == name) return found.vertices;
+    return garment_.loops[loopNamed(garment_.loops, name, fmt::format("seam '{}': loop '{}'", seam, name))].vertices;
+  }
+
+  int nearestOf(const std::vector<int>& vertices, const Vec3& x) const {
+    return *std::min_element(vertices.begin(), vertices.end(),
+                             [&](int p, int q) { return (at(p) - x).squaredNorm() < (at(q) - x).squaredNorm(); });
+  }
+
   /// Finds the line between two loops.  It begins and ends at the loop vertex nearest to the first or last point;
   /// without points, where the two loops are nearest to each other.
   SeamLine betweenLoops(const SeamRequest& request) const {
-    const auto verticesOf = [&](const std::string& loop) -> const std::vector<int>& {
-      return garment_.loops[loopNamed(garment_.loops, loop, fmt::format("seam '{}': loop '{}'", request.name, loop))]
-          .vertices;
-    };
-    const std::vector<int>&from = verticesOf(request.from), &to = verticesOf(request.to);
-    const auto nearestTo = [&](const std::vector<int>& loop, const Vec3& x) {
-      return *std::min_element(loop.begin(), loop.end(),
-                               [&](int p, int q) { return (at(p) - x).squaredNorm() < (at(q) - x).squaredNorm(); });
-    };
+    const std::vector<int>&from = verticesOf(request.name, request.from), &to = verticesOf(request.name, request.to);
+    const auto nearestTo = [&](const std::vector<int>& loop, const Vec3& x) { return nearestOf(loop, x); };
     int start = from.front(), end = to.front();
     if (!request.points.empty()) {
       start = nearestTo(from, request.points.front());
@@ -208,6 +221,7 @@ class SeamFinder {
   std::vector<std::vector<int>> neighbours_;
   std::vector<char> is_boundary_;
   double edge_length_;  // mean, m
+  std::vector<Seam> found_;
 };
 
 }  // namespace
@@ -215,11 +229,12 @@ class SeamFinder {
 std::vector<Seam> findSeams(const std::vector<SeamRequest>& requests, LoopedMesh& garment) {
   std::vector<Seam> seams;
   if (requests.empty()) return seams;
-  const SeamFinder finder(garment);
+  SeamFinder finder(garment);
   std::vector<SeamLine> lines;
   for (const SeamRequest& request : requests) {
     lines.push_back(finder.line(request));
-    seams.push_back(finder.chain(request.name, lines.back()));
+    seams.push_back(finder.chain(request, lines.back()));
+    finder.add(seams.back());
   }
   straightenSeams(seams, lines, finder.topology(), garment.mesh);
   return seams;

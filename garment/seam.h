@@ -16,7 +16,7 @@ namespace ease {
 
 struct SeamRequest {
   std::string name;
-  std::string from, to;      // names of loops; both empty: the seam is closed
+  std::string from, to;      // names of loops or of seams above it; both empty: the seam is closed
   std::vector<Vec3> points;  // m: points that the seam passes
   std::optional<PlaneNear> plane;
 };

@@ -5,17 +5,15 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -24,11 +22,10 @@
 #include <string_view>
 
 #include "solver/base/error.h"
-#include "solver/base/whole_file.h"
 #include "viz/color_scale.h"
-#include "viz/offscreen.h"
 #include "viz/overlay.h"
 #include "viz/poly_data.h"
+#include "viz/rendered_file.h"
 
 namespace ease {
 
@@ -37,21 +34,7 @@ namespace {
 constexpr int kWidth = 1600, kHeight = 1000;       // pixels
 constexpr int kTitleBand = 84, kLegendBand = 124;  // pixels
 constexpr int kGutter = 8;                         // pixels, white margin on the left and right of a view
-constexpr int kSamples = 2;                        // samples per pixel in each direction, to smooth edges
-constexpr double kLevelStep = 3;                   // of 255 levels; invisible, and files are a third smaller
 constexpr double kViewAngle = 16;                  // degrees, over the whole height
-
-/// Keeps VTK and its OpenGL loader from printing on the terminal during the lifetime of the object.
-class Quiet {
- public:
-  Quiet() { vtkObject::GlobalWarningDisplayOff(); }
-  ~Quiet() { vtkObject::SetGlobalWarningDisplay(before_); }
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
-
- private:
-  vtkTypeBool before_ = vtkObject::GetGlobalWarningDisplay();
-};
 
 void checkViews(const std::vector<StretchView>& views, double low, double high) {
   if (views.empty()) throw ComputationError("nothing to draw");
@@ -114,7 +97,7 @@ vtkSmartPointer<vtkActor> lineActor(const ViewLine& line) {
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(line.color[0] / 255.0, line.color[1] / 255.0, line.color[2] / 255.0);
-  actor->GetProperty()->SetLineWidth(2.5 * kSamples);
+  actor->GetProperty()->SetLineWidth(2.5 * kSamplesPerPixel);
   actor->GetProperty()->LightingOff();
   return actor;
 }
@@ -218,43 +201,6 @@ void compose(vtkRenderWindow* window, Overlay& overlay, const std::vector<Stretc
   drawScaleBar(overlay, scale, label, {kWidth / 2.0 - 360, 68, 720, 20});
 }
 
-/// Returns the window's pixels, each of them the mean of the samples rendered for it.
-vtkSmartPointer<vtkImageData> averagedPixels(vtkRenderWindow* window) {
-  vtkNew<vtkUnsignedCharArray> samples;
-  window->GetPixelData(0, 0, kSamples * kWidth - 1, kSamples * kHeight - 1, 0, samples);
-  if (samples->GetNumberOfTuples() != kSamples * kWidth * kSamples * kHeight) {
-    throw ComputationError("OpenGL gave no pixels back");
-  }
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(kWidth, kHeight, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
-  for (int y = 0; y < kHeight; ++y) {
-    for (int i = 0; i < 3 * kWidth; ++i) {
-      double sum = 0;
-      for (int sy = 0; sy < kSamples; ++sy) {
-        for (int sx = 0; sx < kSamples; ++sx) {
-          const int column = kSamples * (i / 3) + sx, row = kSamples * y + sy;
-          sum += samples->GetValue(3 * (row * kSamples * kWidth + column) + i % 3);
-        }
-      }
-      *out++ = static_cast<unsigned char>(kLevelStep * std::lround(sum / (kSamples * kSamples * kLevelStep)));
-    }
-  }
-  return image;
-}
-
-void writePng(const std::filesystem::path& file, vtkImageData* image) {
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->SetCompressionLevel(9);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  writeWholeFile(file, {reinterpret_cast<const char*>(bytes->GetPointer(0)),
-                        static_cast<std::size_t>(bytes->GetNumberOfValues())});
-}
-
 }  // namespace
 
 std::string drawStretch(const std::filesystem::path& file, const std::vector<StretchView>& views,
@@ -262,26 +208,8 @@ std::string drawStretch(const std::filesystem::path& file, const std::vector<Str
   try {
     checkViews(views, low, high);
     const ColorScale scale(low, high, std::clamp(limit, low, high));
-    const Quiet quiet;
-    const OffscreenContext context;
-    vtkNew<vtkGenericOpenGLRenderWindow> window;
-    window->SetOwnContext(0);
-    window->SetIsCurrent(true);
-    window->SetReadyForRendering(true);
-    window->SetSupportsOpenGL(1);
-    window->SetIsDirect(1);
-    window->SetMapped(1);
-    window->SetOffScreenRendering(1);
-    window->SetMultiSamples(0);
-    window->SetSize(kSamples * kWidth, kSamples * kHeight);
-    window->SetNumberOfLayers(2);
-    window->OpenGLInitContext();
-    Overlay overlay(kSamples);
-    compose(window, overlay, views, scale, label);
-    window->AddRenderer(overlay.renderer());
-    window->Render();
-    writePng(file, averagedPixels(window));
-    window->Finalize();
+    renderToFile(file, kWidth, kHeight,
+                 [&](vtkRenderWindow* window, Overlay& overlay) { compose(window, overlay, views, scale, label); });
     return {};
   } catch (const std::exception& error) {
     return error.what();

@@ -37,11 +37,6 @@ GradientSystem::GradientSystem(int vertices, const Triangles& triangles, std::sp
       kind_(kind),
       right_(vertices, 3) {
   cholesky_.analyse(matrix_, ordering);
-  const auto slot = [&](int i, int j) {
-    const int *begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[j],
-              *end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[j + 1];
-    return static_cast<int>(std::lower_bound(begin, end, i) - matrix_.innerIndexPtr());
-  };
   slots_.resize(triangles.rows());
   for (int t = 0; t < triangles.rows(); ++t)
     for (int p = 0; p < 3; ++p)
@@ -50,6 +45,17 @@ GradientSystem::GradientSystem(int vertices, const Triangles& triangles, std::sp
         slots_[t][3 * p + q] = i >= j ? slot(i, j) : -1;
       }
   for (int i = 0; i < vertices; ++i) diagonal_slots_.push_back(slot(i, i));
+}
+
+/// Index in the matrix's values of entry (i, j), i >= j.
+int GradientSystem::slot(int i, int j) const {
+  const int *begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[j],
+            *end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[j + 1];
+  return static_cast<int>(std::lower_bound(begin, end, i) - matrix_.innerIndexPtr());
+}
+
+void GradientSystem::setBonds(std::span<const Bond> bonds) {
+  bonds_.assign(bonds.begin(), bonds.end());
 }
 
 bool GradientSystem::factor(std::span<const Mat2> rest_inverse, std::span<const double> weights,
@@ -66,6 +72,11 @@ bool GradientSystem::factor(std::span<const Mat2> rest_inverse, std::span<const 
     for (int k = 0; k < 9; ++k)
       if (slots_[t][k] >= 0) values[slots_[t][k]] += block(k / 3, k % 3);
   }
+  for (const Bond& bond : bonds_) {
+    values[diagonal_slots_[bond.p]] += bond.weight;
+    values[diagonal_slots_[bond.q]] += bond.weight;
+    values[slot(std::max(bond.p, bond.q), std::min(bond.p, bond.q))] -= bond.weight;
+  }
   if (!fixed.empty())
     for (int j = 0; j < matrix_.cols(); ++j)
       for (SparseMatrix::InnerIterator it(matrix_, j); it; ++it)
@@ -80,13 +91,20 @@ void GradientSystem::solveRounded(const Positions& right, Positions& x) {
   panels_.solve(right.data(), x.data(), 3);
 }
 
-void GradientSystem::solve(std::span<const Mat32> targets, const Positions& anchors, Positions& x) {
+void GradientSystem::solve(std::span<const Mat32> targets, const Positions& anchors, Positions& x,
+                           std::span<const Vec3> bond_targets) {
   const int n = static_cast<int>(right_.rows());
   parallelFor(n, 512, [&](int i) {
     Vec3 sum = diagonal_[i] * anchors.row(i).transpose();
     for (int k : incidence_.of(i)) sum += targets[k / 3] * weighted_gradients_[k / 3].row(k % 3).transpose();
     right_.row(i) = sum;
   });
+  assert(bond_targets.size() == bonds_.size());
+  for (size_t b = 0; b < bonds_.size(); ++b) {
+    const Vec3 pull = bonds_[b].weight * bond_targets[b];
+    right_.row(bonds_[b].p) += pull;
+    right_.row(bonds_[b].q) -= pull;
+  }
   cholesky_.solve(right_.data(), right_.data(), 3);
   x = right_;
 }

@@ -98,3 +98,15 @@ TEST_CASE("an impossible seam is refused by name") {
   const SeamRequest two{"waist", "", "", {{0, 0, 0.12}, {0, 0, -0.12}}, {}};
   CHECK_THROWS_WITH(findSeams({two}, garment), Contains("2 points: a closed seam needs at least 3"));
 }
+
+TEST_CASE("a seam may end on a seam above it, and another begin there") {
+  LoopedMesh garment = tube();
+  const SeamRequest waist{"waist", "", "", {}, PlaneNear{{0, 0, 0}, {0, 1, 0}, {0, 0, 0}}};
+  const SeamRequest below{"below", "hem", "waist", {{kRadius, -0.1, 0.0}, {kRadius, 0.0, 0.0}}, {}};
+  const SeamRequest above{"above", "waist", "top", {{kRadius, 0.0, 0.0}, {kRadius, 0.1, 0.0}}, {}};
+  const std::vector<Seam> seams = findSeams({waist, below, above}, garment);
+  for (const Seam& seam : seams) checkChain(garment, seam);
+  const std::vector<int>& around = seams[0].vertices;
+  CHECK(std::count(around.begin(), around.end(), seams[1].vertices.back()) == 1);
+  CHECK(seams[1].vertices.back() == seams[2].vertices.front());
+}

@@ -90,3 +90,24 @@ TEST_CASE("the matrix of a connected part without a diagonal term is not positiv
   diagonal[0] = -1.0;
   CHECK_FALSE(system.factor(flat.rest_inverse, flat.areas, diagonal));
 }
+
+TEST_CASE("a bond pulls two vertices to the difference that it asks for") {
+  const Flat flat;
+  std::vector<Mat32> targets;
+  for (int t = 0; t < flat.mesh.triangles.rows(); ++t)
+    targets.push_back(edgeMatrix(flat.mesh.positions, flat.mesh.triangles, t) * flat.rest_inverse[t]);
+  std::vector<double> diagonal(flat.vertices(), 0.0);
+  diagonal[0] = 1.0;
+  const int p = flat.mesh.triangles(0, 0), q = flat.mesh.triangles(0, 1);
+  const Vec3 asked(0.1, -0.2, 0.0);
+  const auto differenceUnder = [&](double weight) -> Vec3 {
+    GradientSystem system(flat.vertices(), flat.mesh.triangles);
+    system.setBonds(std::vector<Bond>{{p, q, weight}});
+    REQUIRE(system.factor(flat.rest_inverse, flat.areas, diagonal));
+    Positions x;
+    system.solve(targets, flat.mesh.positions, x, std::vector<Vec3>{asked});
+    return x.row(p) - x.row(q);
+  };
+  CHECK((differenceUnder(1e9) - asked).norm() < 1e-6);
+  CHECK((differenceUnder(1e-12) - Vec3(flat.mesh.positions.row(p) - flat.mesh.positions.row(q))).norm() < 1e-9);
+}

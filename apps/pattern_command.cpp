@@ -1,0 +1,144 @@
+// `ease pattern`: the sewing pattern of a scene, or of the results of a run.
+#include <fmt/format.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "apps/commands.h"
+#include "apps/garment_files.h"
+#include "apps/job.h"
+#include "apps/pattern_files.h"
+#include "apps/result_directory.h"
+#include "apps/scene_run.h"
+#include "solver/base/error.h"
+#include "viz/vtp_arrays.h"
+
+namespace ease {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The report of a finished run in a directory; null where there is none.
+nlohmann::json finishedReport(const fs::path& directory) {
+  std::ifstream in(directory / "report.json");
+  if (!in || !fs::exists(directory / "rest_shape.vtp")) return nullptr;
+  nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
+  if (!report.is_object() || report.value("interrupted", true) || report.contains("failure")) return nullptr;
+  return report;
+}
+
+/// The scene's file of the run whose results are in a directory.
+std::string sceneOf(const fs::path& directory) {
+  const nlohmann::json report = finishedReport(directory);
+  if (report.is_null())
+    throw InputError(fmt::format("{}: no finished run: expected report.json and rest_shape.vtp of ease run, or a scene",
+                                 directory.string()));
+  const std::string scene = report.value("scene_file", "");
+  if (scene.empty() || !fs::exists(scene))
+    throw InputError(fmt::format("{}: scene_file = '{}': no such scene: give it by name, ease pattern SCENE -o {}",
+                                 (directory / "report.json").string(), scene, directory.string()));
+  return scene;
+}
+
+WovenSettings wovenOf(const Material& material, const StrainLimits& limits) {
+  WovenSettings woven;
+  woven.shear_limit = limits.shear;
+  woven.seam_weight = 15.0;
+  if (material.membrane == Membrane::isotropic) {  // (warp, weft) any two directions: shear is half of a stretch
+    woven.shear = 0.5;
+    return woven;
+  }
+  const double largest = std::max({material.stretch_warp, material.stretch_weft, 1e-9});
+  constexpr double kLeast = 0.02;  // of the largest: cloth that resists nothing along a thread has no shape
+  woven.warp = std::max(kLeast, material.stretch_warp / largest);
+  woven.weft = std::max(kLeast, material.stretch_weft / largest);
+  // Shear at its limit is to cost no more than stretch at its own, however stiff the material is: only then are both
+  // limits reached by the same shape.
+  const double by_limits = std::pow(limits.thread / (0.5 * limits.shear), 2);
+  woven.shear = std::clamp(std::min(material.shear / largest, by_limits), kLeast, 1.0);
+  return woven;
+}
+
+/// Reads the rest shape that a run wrote.
+RestShape readRestShape(const fs::path& file, const Triangles& triangles) {
+  const VtpMesh read = readVtpArrays(file, {"rest_edges_m"});
+  if (read.mesh.triangles != triangles || read.triangle_arrays[0].components != 4)
+    throw InputError(fmt::format("{}: another garment than the scene's: run it again, or give another directory by -o",
+                                 file.string()));
+  RestShape rest{read.mesh.positions, {}};
+  const std::vector<float>& values = read.triangle_arrays[0].values;
+  for (size_t t = 0; t < values.size() / 4; ++t) {
+    Mat2 edges;
+    edges << values[4 * t], values[4 * t + 2], values[4 * t + 1], values[4 * t + 3];
+    rest.edges.push_back(edges);
+  }
+  return rest;
+}
+
+}  // namespace
+
+ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
+  const bool is_directory = fs::is_directory(arguments.scene);
+  Scene scene = readScene(is_directory ? sceneOf(arguments.scene) : arguments.scene);
+  if (arguments.threads >= 0) scene.solver.threads = arguments.threads;
+  const fs::path directory = !arguments.directory.empty() ? fs::path(arguments.directory)
+                             : is_directory               ? fs::path(arguments.scene)
+                                                          : fs::path("results") / scene.name;
+  const fs::path run = is_directory ? fs::path(arguments.scene) : directory;
+  const int threads = scene.solver.threads;
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  return arena.execute([&] {
+    const SceneInput input = readSceneInput(
+        scene, [](const std::string& warning) { say("warning", warning); }, nullptr,
+        [&] {
+          if (interrupted) throw Interrupted();
+        });
+    if (input.seams.empty())
+      throw InputError(fmt::format(
+          "{}: [garment] has no [[garment.seam]]: expected seams, along which a pattern is cut", scene.file.string()));
+    const ResultDirectory results(directory);
+    if (finishedReport(run).is_null()) {
+      fmt::print("no finished run in {}: the scene is run first\n", run.string());
+      if (input.authored) writeGarment(scene, input, directory, interrupted);
+      if (!runScene(scene, input, directory, interrupted)) {
+        say("interrupted", fmt::format("what was written until then is in {}", directory.string()));
+        return kInterrupted;
+      }
+    }
+    const RestShape rest = readRestShape(run / "rest_shape.vtp", input.garment.triangles);
+
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    FlatSettings settings{scene.pattern.limits, wovenOf(scene.material, scene.pattern.limits), scene.pattern.max_darts,
+                          scene.pattern.names};
+    const RestGarment garment{{rest.positions, input.garment.triangles}, rest.edges, input.seams, input.loops};
+    MadePattern made;
+    try {
+      made.flat = flattenGarment(garment, settings);
+      drawPattern(scene, made);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: [pattern] {}", scene.file.string(), error.what()));
+    }
+    made.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (scene.pattern.check) {
+      fmt::print("pattern   {} pieces in {:.1f} s; the garment sewn from them is simulated\n", made.flat.pieces.size(),
+                 made.wall_s);
+      std::fflush(stdout);
+      made.resewn = sewAgain(scene, input, rest, settings, interrupted, made.flat);
+      const Clock::time_point let_out = Clock::now();
+      drawPattern(scene, made);
+      made.wall_s += std::chrono::duration<double>(Clock::now() - let_out).count();
+    }
+    for (const std::string& warning : made.flat.warnings) say("warning", warning);
+    fmt::print("{}results   {}\n", writePattern(scene, input, made, directory), directory.string());
+    return kDone;
+  });
+}
+
+}  // namespace ease

@@ -1,0 +1,99 @@
+#include "apps/pattern_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "apps/pattern_json.h"
+#include "apps/pattern_pictures.h"
+#include "garment/pattern/dxf_file.h"
+#include "garment/pattern/paper_tiles.h"
+#include "garment/pattern/sew_line.h"
+#include "garment/pattern/sheet.h"
+#include "garment/pattern/svg_file.h"
+#include "solver/base/whole_file.h"
+
+namespace ease {
+
+namespace {
+
+bool asksFor(const Scene& scene, const char* format) {
+  const std::vector<std::string>& formats = scene.pattern.formats;
+  return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
+
+std::string summaryOf(const Scene& scene, const MadePattern& made) {
+  const FlatPattern& flat = made.flat;
+  double seams = 0.0, worst_side = 0.0;
+  int darts = 0;
+  for (const SeamSides& sides : flat.seams) {
+    seams += sides.rest_length;
+    worst_side = std::max(worst_side, std::abs(sides.left_length - sides.right_length));
+  }
+  std::string text;
+  for (const FlatPiece& piece : flat.pieces) {
+    darts += piece.darts;
+    text += fmt::format(
+        "{:<22} {:.3f} m^2, threads {:.1f} % at 98 %, over {:g} % on {:.2f} %, shear {:.1f} deg at 99 %, {} dart{}\n",
+        piece.name, piece.strain.area, 100.0 * piece.strain.thread_p98, 100.0 * scene.pattern.limits.thread,
+        100.0 * piece.strain.thread_over_share, piece.strain.shear_p99 * 180.0 / M_PI, piece.darts,
+        piece.darts == 1 ? "" : "s");
+  }
+  text += fmt::format(
+      "pattern   {} pieces, {} darts, {:.2f} m of seams, sides equal within {:.2f} mm; {:.2f} m of cloth {:g} m wide; "
+      "{:.1f} s\n",
+      flat.pieces.size(), darts, seams, 1e3 * worst_side, 1e-3 * made.cloth_length_mm, scene.pattern.fabric_width,
+      made.wall_s);
+  if (!made.resewn) return text;
+  const Resewn& resewn = *made.resewn;
+  const auto line = [&](const ResewnPose& pose) {
+    text += fmt::format("sewn      pose {}: {:.1f} mm from the design (RMS), {:.1f} mm at most\n", pose.pose,
+                        1e3 * pose.rms_m, 1e3 * pose.max_m);
+  };
+  if (!resewn.own.pose.empty()) line(resewn.own);
+  for (const ResewnPose& pose : resewn.poses) line(pose);
+  if (resewn.has_limit)
+    text += fmt::format(
+        "          over the limit: {:.2f} % of the triangles, {:.2f} % as designed; let out {} times, cloth {:+.2f} "
+        "%\n",
+        100.0 * resewn.over_limit, 100.0 * resewn.designed_over_limit, resewn.rounds,
+        100.0 * (resewn.area_ratio - 1.0));
+  return text;
+}
+
+}  // namespace
+
+void drawPattern(const Scene& scene, MadePattern& made) {
+  made.pieces = drawPieces(made.flat, scene.pattern.allowances);
+  const std::vector<double> lengths = drawnLengths(made.flat);
+  for (SeamSides& sides : made.flat.seams) {
+    sides.left_length = lengths[sides.left];
+    sides.right_length = lengths[sides.right];
+  }
+  const double width = 1e3 * scene.pattern.fabric_width;
+  made.sheet = drawSheet(scene.name, made.pieces, width);
+  made.cloth_length_mm = clothLength(made.pieces, width);
+}
+
+std::string writePattern(const Scene& scene, const SceneInput& input, const MadePattern& made,
+                         const std::filesystem::path& directory) {
+  const Drawing& sheet = made.sheet;
+  if (asksFor(scene, "svg")) writeWholeFile(directory / "pattern.svg", svgText(sheet));
+  if (asksFor(scene, "pdf")) {
+    writeWholeFile(directory / "pattern.pdf", pdfText(sheet, {wholePage(sheet)}));
+    writeWholeFile(directory / ("pattern_" + scene.pattern.paper + ".pdf"),
+                   pdfText(sheet, paperTiles(sheet, paperNamed(scene.pattern.paper))));
+  }
+  if (asksFor(scene, "dxf")) writeWholeFile(directory / "pattern.dxf", dxfText(sheet));
+  if (asksFor(scene, "json")) writeWholeFile(directory / "pattern.json", patternJson(scene, made));
+  writeFlatMesh(made, directory / "pattern.vtp");
+  addToReport(scene, made, directory / "report.json");
+  std::string text = summaryOf(scene, made);
+  for (const std::string& reason : drawPatternPictures(scene, input, made, directory))
+    text += "no picture: " + reason + "\n";
+  return text;
+}
+
+}  // namespace ease

@@ -1,0 +1,32 @@
+// Files of a sewing pattern.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "apps/resewn.h"
+#include "garment/pattern/flat_pattern.h"
+
+namespace ease {
+
+/// A pattern with its drawing and what was measured.
+struct MadePattern {
+  FlatPattern flat;
+  std::vector<DrawnPiece> pieces;
+  Drawing sheet;
+  double cloth_length_mm = 0.0;  // all pieces, mirrored ones twice
+  std::optional<Resewn> resewn;
+  double wall_s = 0.0;  // without the replay
+};
+
+/// Draws the pieces and lays them out; the lengths of seam sides become those of the drawn lines.  Throws InputError
+/// where a piece is wider than the cloth.
+void drawPattern(const Scene& scene, MadePattern& made);
+
+/// Writes the files that the scene asks for, pattern.vtp and the pictures into the directory, and the figures into its
+/// report.json.  Returns a summary of a few lines.  Throws ComputationError naming a file that could not be written.
+std::string writePattern(const Scene& scene, const SceneInput& input, const MadePattern& made,
+                         const std::filesystem::path& directory);
+
+}  // namespace ease

@@ -1,0 +1,165 @@
+#include "apps/resewn.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "adaption/growth_demand.h"
+#include "apps/painted_rest.h"
+#include "apps/scene_run.h"
+#include "solver/base/error.h"
+
+namespace ease {
+
+namespace {
+
+/// Where the garment was in the poses, and how far over the limit.
+struct Replayed {
+  Positions own;                 // held on the first pose
+  std::vector<Positions> poses;  // as the body reached them
+  std::vector<int> numbers;      // of these poses
+  double over_limit = 0.0;
+};
+
+/// Both garments on the same body with the same solver.
+class Replay {
+ public:
+  Replay(const Scene& scene, const SceneInput& given, const InputNumbering& numbering,
+         const std::atomic<bool>& interrupted)
+      : scene_(scene),
+        numbering_(numbering),
+        input_(renumbered(given, numbering)),
+        cloth_(input_.garment, scene.garment.grain, scene.material),
+        interrupted_(interrupted) {
+    if (!input_.paint.empty()) paintFirstRest(input_.paint, cloth_);
+    if (!scene.body) return;
+    body_.emplace(movingBody(scene, input_));
+    held_scene_ = scene;
+    held_scene_.body->poses.resize(1);
+    held_input_ = input_;
+    held_input_.poses.resize(1);
+    held_body_.emplace(movingBody(held_scene_, held_input_));
+  }
+
+  Cloth& cloth() { return cloth_; }
+
+  /// `demand`: is told all stretches; may be null.
+  Replayed of(const RestShape& rest, GrowthDemand* demand) {
+    Replayed replayed;
+    if (scene_.body) pass(held_scene_, held_input_, &*held_body_, rest, demand, replayed, true);
+    pass(scene_, input_, body_ ? &*body_ : nullptr, rest, demand, replayed, false);
+    return replayed;
+  }
+
+ private:
+  void pass(const Scene& scene, const SceneInput& input, MovingBody* body, const RestShape& rest, GrowthDemand* demand,
+            Replayed& replayed, bool is_held) {
+    cloth_.setRest(rest);
+    const RunInput run_input = runInput(scene, input, body);
+    Run run(runSettings(scene, replaySchedule(scene)), run_input, cloth_);
+    RunWatch watch;
+    watch.interrupted = &interrupted_;
+    watch.on_stretch = [&](const std::vector<Stretch>& stretch) {
+      if (demand) demand->add(cloth_, stretch);
+    };
+    watch.on_step = [&](const Moment& moment) {
+      if (is_held || moment.pose < 0) return;
+      replayed.poses.push_back(restored(run.state().positions, numbering_.garment.vertices));
+      replayed.numbers.push_back(moment.pose);
+    };
+    run.run(watch);
+    if (interrupted_) throw Interrupted();
+    const Positions end = restored(run.state().positions, numbering_.garment.vertices);
+    if (is_held) replayed.own = end;
+    if (!is_held && replayed.poses.empty()) {
+      replayed.poses.push_back(end);
+      replayed.numbers.push_back(0);
+    }
+    if (scene_.adaption)
+      replayed.over_limit = std::max(replayed.over_limit, run.record().stretch.overall.share_over_limit);
+  }
+
+  const Scene& scene_;
+  const InputNumbering& numbering_;
+  const SceneInput input_;
+  Scene held_scene_;
+  SceneInput held_input_;
+  Cloth cloth_;
+  std::optional<MovingBody> body_, held_body_;
+  const std::atomic<bool>& interrupted_;
+};
+
+ResewnPose compared(const std::string& name, const Positions& a, const Positions& b) {
+  const Eigen::VectorXd distance = (a - b).rowwise().norm();
+  return {name, std::sqrt(distance.squaredNorm() / static_cast<double>(distance.size())), distance.maxCoeff()};
+}
+
+double clothArea(const FlatPattern& pattern) {
+  double area = 0.0;
+  for (const Mat2& edges : sewnEdges(pattern)) area += 0.5 * edges.determinant();
+  return area;
+}
+
+/// Compares what both garments did.
+void compare(const Scene& scene, const SceneInput& input, const FlatPattern& pattern, const Replayed& designed,
+             const Replayed& sewn, Resewn& result) {
+  if (sewn.own.rows() > 0) result.own = compared(input.pose_names.front(), designed.own, sewn.own);
+  result.poses.clear();
+  for (size_t k = 0; k < sewn.poses.size(); ++k)
+    result.poses.push_back(
+        compared(scene.body ? input.pose_names[sewn.numbers[k]] : "end", designed.poses[k], sewn.poses[k]));
+  result.seams.clear();
+  for (const CutLine& line : pattern.lines) {
+    ResewnSeam seam{line.seam.name, 0.0};
+    for (size_t k = 0; k < sewn.poses.size(); ++k) {
+      double sum = 0.0;
+      for (const int v : line.seam.vertices) sum += (designed.poses[k].row(v) - sewn.poses[k].row(v)).squaredNorm();
+      seam.rms_m = std::max(seam.rms_m, std::sqrt(sum / static_cast<double>(line.seam.vertices.size())));
+    }
+    result.seams.push_back(seam);
+  }
+  result.designed_over_limit = designed.over_limit;
+  result.over_limit = sewn.over_limit;
+  result.designed_end = designed.poses.back();
+  result.sewn_end = sewn.poses.back();
+}
+
+}  // namespace
+
+Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& designed, const FlatSettings& settings,
+                const std::atomic<bool>& interrupted, FlatPattern& pattern) {
+  Resewn result;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto wall = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  const InputNumbering numbering = spatialNumbering(input);
+  Replay replay(scene, input, numbering, interrupted);
+  const auto numbered = [&](const std::vector<Mat2>& edges) {
+    return RestShape{renumbered(designed.positions, numbering.garment.vertices),
+                     renumbered(edges, numbering.garment.triangles)};
+  };
+  const Replayed as_designed = replay.of(numbered(designed.edges), nullptr);
+  result.has_limit = scene.adaption.has_value();
+  GrowthDemand demand(scene.adaption ? scene.adaption->limit : 0.1);
+  Replayed as_sewn = replay.of(numbered(sewnEdges(pattern)), result.has_limit ? &demand : nullptr);
+  compare(scene, input, pattern, as_designed, as_sewn, result);
+  result.wall_s = wall();
+  if (!result.has_limit) return result;
+  const double wanted = std::max(scene.adaption->fit.target, as_designed.over_limit);
+  const double first_area = clothArea(pattern);
+  FlatPattern trial = pattern;
+  for (int round = 1; round <= scene.pattern.let_out && as_sewn.over_limit > wanted; ++round) {
+    replay.cloth().setRest(numbered(sewnEdges(trial)));
+    if (!demand.letOut(replay.cloth())) break;
+    trial = flattenAgain(trial, restored(replay.cloth().restEdges(), numbering.garment.triangles), settings);
+    as_sewn = replay.of(numbered(sewnEdges(trial)), &demand);
+    if (as_sewn.over_limit >= result.over_limit) continue;
+    pattern = trial;
+    compare(scene, input, pattern, as_designed, as_sewn, result);
+    result.rounds = round;
+  }
+  result.area_ratio = clothArea(pattern) / first_area;
+  result.wall_s = wall();
+  return result;
+}
+
+}  // namespace ease

@@ -1,0 +1,47 @@
+// The proof of a pattern: the garment sewn from its flat pieces is simulated as the one that was designed, and both are
+// compared.
+//
+// Sewing is a change of the rest shape alone: the garment's triangles stay joined, their flat edges become those of the
+// pieces on the paper.  Each of the two rest shapes is held on the first pose, from the same start, then carried
+// through the whole motion.
+//
+// Where the sewn garment is over the limit and the designed one is not, pieces are let out on the paper: the flat
+// triangles grow as the motion asks for (adaption/growth_demand.h), are flattened again, and checked again.
+#pragma once
+
+#include <atomic>
+
+#include "apps/scene.h"
+#include "garment/pattern/flat_pattern.h"
+
+namespace ease {
+
+/// The garment in one pose.
+struct ResewnPose {
+  std::string pose;
+  double rms_m = 0.0, max_m = 0.0;  // distance of the vertices of both garments
+};
+
+struct ResewnSeam {
+  std::string name;
+  double rms_m = 0.0;  // distance of its vertices at the worst pose
+};
+
+struct Resewn {
+  ResewnPose own;                 // held on the first pose
+  std::vector<ResewnPose> poses;  // in the motion
+  std::vector<ResewnSeam> seams;
+  double designed_over_limit = 0.0, over_limit = 0.0;  // share of the triangles at the worst moment
+  int rounds = 0;                                      // of letting out on the paper
+  double area_ratio = 1.0;                             // cloth of the pieces over that of the first ones
+  bool has_limit = false;
+  double wall_s = 0.0;
+  Positions designed_end, sewn_end;  // at the end of the motion, m, in the order of the garment's file
+};
+
+/// Replays, and lets out until the limit is kept or nothing is gained in `scene.pattern.let_out` rounds; `pattern` is
+/// then the pattern that was let out.  `designed`: rest shape of the run.  Throws Interrupted.
+Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& designed, const FlatSettings& settings,
+                const std::atomic<bool>& interrupted, FlatPattern& pattern);
+
+}  // namespace ease

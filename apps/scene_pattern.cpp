@@ -1,0 +1,70 @@
+#include "apps/scene_pattern.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/scene_tools.h"
+#include "apps/words.h"
+
+namespace ease {
+
+namespace {
+
+constexpr Range kAllowance{0.0, 0.2, false, "m"};
+
+/// `allowance = 0.01`, or a table with `default` and the names of seams and loops.
+Allowances readAllowances(const TomlTable& table) {
+  Allowances allowances;
+  const auto by_name = table.isTable("allowance") ? table.table("allowance") : std::nullopt;
+  if (!by_name) {
+    allowances.all = table.number("allowance", allowances.all, kAllowance);
+    return allowances;
+  }
+  for (const std::string& name : by_name->keys()) {
+    const double width = by_name->number(name, 0.0, kAllowance);
+    if (name == "default")
+      allowances.all = width;
+    else
+      allowances.by_name[name] = width;
+  }
+  return allowances;
+}
+
+}  // namespace
+
+PatternScene readPattern(const TomlTable& table) {
+  table.allow({"thread_limit", "shear_limit", "share", "darts", "allowance", "fabric_width", "paper", "formats",
+               "piece", "check", "let_out"});
+  PatternScene pattern;
+  pattern.limits.thread = table.number("thread_limit", pattern.limits.thread, {0.0, 1.0, true, ""});
+  const double degrees = table.number("shear_limit", 180.0 / M_PI * pattern.limits.shear, {0.0, 60.0, true, "degrees"});
+  pattern.limits.shear = degrees * M_PI / 180.0;
+  pattern.limits.share = table.number("share", pattern.limits.share, {0.0, 1.0, false, ""});
+  if (table.isBoolean("darts"))
+    pattern.max_darts = table.boolean("darts", true) ? pattern.max_darts : 0;
+  else
+    pattern.max_darts = table.integer("darts", pattern.max_darts, 0, 100);
+  pattern.allowances = readAllowances(table);
+  pattern.fabric_width = table.number("fabric_width", pattern.fabric_width, {0.1, 10.0, false, "m"});
+  pattern.paper = table.choice("paper", pattern.paper, {"a4", "letter"});
+  if (table.has("formats")) pattern.formats = table.texts("formats");
+  const std::vector<std::string> known = {"svg", "pdf", "dxf", "json"};
+  for (const std::string& format : pattern.formats)
+    if (std::find(known.begin(), known.end(), format) == known.end())
+      table.refuse("formats", "some of " + listWords(known) + "; '" + format + "' is none of them");
+  pattern.check = table.boolean("check", pattern.check);
+  pattern.let_out = table.integer("let_out", pattern.let_out, 0, 20);
+  for (const TomlTable& piece : table.tables("piece")) {
+    piece.allow({"name", "at"});
+    if (!piece.has("name")) piece.refuse("name", "a name for the piece, e.g. 'front'");
+    if (!piece.has("at")) piece.refuse("at", "a point on the piece, [x, y, z], m");
+    pattern.names.push_back({piece.text("name", ""), readVec3(piece, "at", Vec3::Zero(), 100.0, "m")});
+  }
+  return pattern;
+}
+
+Paper paperNamed(const std::string& name) {
+  return name == "letter" ? Paper{215.9, 279.4} : Paper{};
+}
+
+}  // namespace ease

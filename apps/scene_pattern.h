@@ -1,0 +1,32 @@
+// The scene's table [pattern]: what its sewing pattern is to be like.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/toml_table.h"
+#include "garment/pattern/draw_piece.h"
+#include "garment/pattern/flat_pattern.h"
+#include "garment/pattern/paper_tiles.h"
+
+namespace ease {
+
+struct PatternScene {
+  StrainLimits limits;
+  int max_darts = FlatSettings().max_darts;
+  std::vector<PieceName> names;
+  Allowances allowances;
+  double fabric_width = 1.40;  // m
+  std::string paper = "a4";    // or "letter"
+  std::vector<std::string> formats = {"svg", "pdf", "dxf", "json"};
+  bool check = true;  // simulate the garment sewn from the pattern
+  int let_out = 4;    // rounds of letting out on the paper, at most
+};
+
+/// Reads [pattern].  Throws InputError as the other tables of a scene do.
+PatternScene readPattern(const TomlTable& table);
+
+/// The size of a page of paper of this name.
+Paper paperNamed(const std::string& name);
+
+}  // namespace ease

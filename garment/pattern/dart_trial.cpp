@@ -1,0 +1,80 @@
+#include "garment/pattern/dart_trial.h"
+
+#include <cmath>
+
+#include "garment/pattern/outline_crossing.h"
+
+namespace ease {
+namespace {
+
+constexpr double kTrialTolerance = 1e-5;  // m
+
+Badness badnessOf(const FlatPieces& flat, const Flattened& flattened, const StrainLimits& limits) {
+  Badness badness{0.0, flattened.energy};
+  const std::vector<ThreadStrain> strains = threadStrains(flat, flattened.x);
+  for (size_t t = 0; t < strains.size(); ++t)
+    if (strains[t].worst() > limits.thread || std::abs(strains[t].shear) > limits.shear)
+      badness.over += 0.5 * flat.rest_edges[t].determinant();
+  return badness;
+}
+
+}  // namespace
+
+Trial flattenPart(const Part& part, const std::vector<Seam>& darts, const FlatSettings& settings, int iterations) {
+  std::vector<CutLine> lines;
+  for (const Seam& dart : darts) lines.push_back({dart, LineKind::dart});
+  const CutGarment cut = cutGarment(part.mesh, lines, {});
+  FlatPieces flat{
+      cut.pieces.mesh.triangles, part.rest_edges, {outlineOf(cut, 0)}, static_cast<int>(cut.pieces.glue.size())};
+  WovenSettings woven = settings.woven;
+  woven.max_iterations = iterations;
+  woven.tolerance = kTrialTolerance;
+  woven.mends = false;
+  Positions start(flat.vertices, 3);
+  for (int v = 0; v < flat.vertices; ++v)
+    if (part.x.rows() > 0) start.row(v) = part.x.row(cut.pieces.glue[v]);
+  std::vector<SewnPair> pairs;
+  for (size_t e = 0; e < cut.edges.size(); ++e) {
+    const PieceEdge& a = cut.edges[e];
+    if (a.partner <= static_cast<int>(e)) continue;
+    const PieceEdge& b = cut.edges[a.partner];
+    const size_t n = a.vertices.size();
+    for (size_t i = 0; i + 1 < n; ++i)
+      pairs.push_back({a.vertices[i], a.vertices[i + 1], b.vertices[n - 1 - i], b.vertices[n - 2 - i]});
+  }
+  const Flattened flattened = flatten(flat, pairs, woven, part.x.rows() > 0 ? &start : nullptr);
+  Trial trial;
+  trial.badness = badnessOf(flat, flattened, settings.limits);
+  trial.strain = strainOf(flat, flattened.x, threadStrains(flat, flattened.x),
+                          std::vector<int>(part.rest_edges.size(), 0), 0, settings.limits);
+  trial.is_sound = trial.strain.flipped == 0 && !crossesItself(flat.outlines.front(), flattened.x);
+  trial.x.resize(part.mesh.positions.rows(), 3);
+  for (int v = 0; v < flat.vertices; ++v) trial.x.row(cut.pieces.glue[v]) = flattened.x.row(v);
+  return trial;
+}
+
+Part partOf(const RestGarment& garment, const Pieces& pieces, int piece) {
+  Part part;
+  std::vector<int> number(pieces.glue.size(), -1);
+  std::vector<int> triangles;
+  for (size_t t = 0; t < pieces.piece.size(); ++t)
+    if (pieces.piece[t] == piece) triangles.push_back(static_cast<int>(t));
+  part.mesh.triangles.resize(static_cast<int>(triangles.size()), 3);
+  for (size_t t = 0; t < triangles.size(); ++t) {
+    part.rest_edges.push_back(garment.rest_edges[triangles[t]]);
+    for (int k = 0; k < 3; ++k) {
+      const int v = pieces.mesh.triangles(triangles[t], k);
+      if (number[v] < 0) {
+        number[v] = static_cast<int>(part.garment_vertex.size());
+        part.garment_vertex.push_back(pieces.glue[v]);
+      }
+      part.mesh.triangles(static_cast<int>(t), k) = number[v];
+    }
+  }
+  part.mesh.positions.resize(static_cast<int>(part.garment_vertex.size()), 3);
+  for (size_t v = 0; v < part.garment_vertex.size(); ++v)
+    part.mesh.positions.row(static_cast<int>(v)) = garment.mesh.positions.row(part.garment_vertex[v]);
+  return part;
+}
+
+}  // namespace ease

@@ -1,0 +1,195 @@
+#include "garment/pattern/draw_piece.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "garment/pattern/outline_crossing.h"
+#include "garment/pattern/sew_line.h"
+
+namespace ease {
+namespace {
+
+constexpr double kNotchDepth = 5.0;       // mm
+constexpr double kNotchGap = 8.0;         // mm between the two of a double notch
+constexpr double kLongSeam = 0.15;        // m: longer seams have two places with notches
+constexpr double kShortSeam = 0.05;       // m: shorter ones have none
+constexpr double kDrillBeforeTip = 10.0;  // mm
+constexpr double kGrainLength = 100.0;    // mm
+constexpr double kNameHeight = 7.0, kTextHeight = 4.0, kSeamNameHeight = 2.8;  // mm
+
+/// Distance from a point to the closed line along a direction, mm; -1 if it does not meet the line.
+double reach(const PaperPoint& from, const PaperPoint& direction, const std::vector<PaperPoint>& line) {
+  double nearest = -1.0, s = 0.0, t = 0.0;
+  const PaperPoint to = from + 1e4 * direction;
+  for (size_t i = 0; i < line.size(); ++i)
+    if (crossing(from, to, line[i], line[(i + 1) % line.size()], s, t) && (nearest < 0.0 || 1e4 * s < nearest))
+      nearest = 1e4 * s;
+  return nearest;
+}
+
+void addNotch(const PaperPoint& on_sew_line, const PaperPoint& outward, DrawnPiece& piece) {
+  const double width = reach(on_sew_line, outward, piece.cut);
+  if (width <= 0.0) return;
+  piece.notches.push_back({on_sew_line + width * outward, -outward, std::min(kNotchDepth, 0.6 * width)});
+}
+
+bool isBack(const FlatPattern& pattern, int edge) {
+  const std::string& name = pattern.pieces[pattern.cut.edges[edge].piece].name;
+  return name.find("back") != std::string::npos;
+}
+
+void addSeamNotches(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece) {
+  for (size_t i = 0; i < line.edges.size(); ++i) {
+    const int e = line.numbers[i], partner = pattern.cut.edges[e].partner;
+    if (partner < 0 || line.edges[i].is_dart) continue;
+    const auto seam = std::find_if(pattern.seams.begin(), pattern.seams.end(),
+                                   [&](const SeamSides& s) { return s.left == std::min(e, partner); });
+    if (seam->rest_length < kShortSeam) continue;
+    const bool is_double = isBack(pattern, e) || isBack(pattern, partner);
+    const std::vector<double> places =
+        seam->rest_length > kLongSeam ? std::vector<double>{1.0 / 3.0, 2.0 / 3.0} : std::vector<double>{0.5};
+    const double apart = is_double ? 0.5e-3 * kNotchGap / seam->rest_length : 0.0;
+    for (const double place : places)
+      for (const double share :
+           is_double ? std::vector<double>{place - apart, place + apart} : std::vector<double>{place}) {
+        PaperPoint along;
+        const PaperPoint at = pointAt(pattern, line.edges[i], e, share, along);
+        addNotch(at, {along.y(), -along.x()}, piece);
+      }
+  }
+}
+
+void addDarts(const SewLine& line, DrawnPiece& piece) {
+  for (size_t i = 0; i + 1 < line.edges.size(); ++i) {
+    if (!line.edges[i].is_dart || !line.edges[i + 1].is_dart) continue;
+    const PaperPoint p = line.edges[i].points.front(), tip = line.edges[i].points.back(),
+                     q = line.edges[i + 1].points.back();
+    piece.lines.push_back({Ink::inner, {p, tip, q}, false});
+    for (const PaperPoint& mouth : {p, q}) addNotch(mouth, (mouth - tip).normalized(), piece);
+    const PaperPoint axis = (0.5 * (p + q) - tip).normalized();
+    piece.drills.push_back(tip + kDrillBeforeTip * axis);
+    ++i;
+  }
+}
+
+/// How far a point lies inside a closed line, mm; negative outside.
+double depthWithin(const PaperPoint& x, const std::vector<PaperPoint>& line) {
+  double nearest = INFINITY;
+  bool is_inside = false;
+  for (size_t i = 0; i < line.size(); ++i) {
+    const PaperPoint &a = line[i], &b = line[(i + 1) % line.size()], ab = b - a;
+    const double along = std::clamp(ab.dot(x - a) / std::max(ab.squaredNorm(), 1e-12), 0.0, 1.0);
+    nearest = std::min(nearest, (a + along * ab - x).norm());
+    if ((a.y() > x.y()) != (b.y() > x.y()) && x.x() < a.x() + (x.y() - a.y()) / (b.y() - a.y()) * ab.x())
+      is_inside = !is_inside;
+  }
+  return is_inside ? nearest : -nearest;
+}
+
+/// The point furthest from the outline, on a grid.
+PaperPoint middleOf(const std::vector<PaperPoint>& sew) {
+  const Bounds bounds = boundsOf(sew);
+  constexpr int kSteps = 24;
+  PaperPoint best = sew.front();
+  double deepest = -INFINITY;
+  for (int i = 1; i < kSteps; ++i)
+    for (int j = 1; j < kSteps; ++j) {
+      const PaperPoint x = bounds.lower + PaperPoint(i, j).cwiseProduct(bounds.upper - bounds.lower) / kSteps;
+      const double depth = depthWithin(x, sew);
+      if (depth <= deepest) continue;
+      deepest = depth;
+      best = x;
+    }
+  return best;
+}
+
+void addGrain(const PaperPoint& near, DrawnPiece& piece) {
+  const double up = reach(near, {0.0, 1.0}, piece.sew), down = reach(near, {0.0, -1.0}, piece.sew);
+  const double length = std::min(kGrainLength, 0.7 * (up + down));
+  const PaperPoint middle = near + PaperPoint(0.0, 0.5 * (up - down));
+  const PaperPoint top = middle + PaperPoint(0.0, 0.5 * length), bottom = middle - PaperPoint(0.0, 0.5 * length);
+  piece.lines.push_back({Ink::grain, {bottom, top}, false});
+  for (const auto& [end, sign] : {std::pair(top, -1.0), std::pair(bottom, 1.0)})
+    piece.lines.push_back(
+        {Ink::grain, {end + PaperPoint(-2.0, 5.0 * sign), end, end + PaperPoint(2.0, 5.0 * sign)}, false});
+}
+
+std::string cutText(const DrawnPiece& piece) {
+  return piece.quantity == 1 ? "cut 1, this side up" : "cut 2, one of them mirrored";
+}
+
+/// Name, number and grain in the middle of the piece, names along the seams.
+void addWords(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece) {
+  const PaperPoint middle = middleOf(piece.sew);
+  const double room = std::max(20.0, 2.0 * depthWithin(middle, piece.sew));
+  const std::string number = fmt::format("piece {} of {}", piece.number, piece.of), cut = cutText(piece);
+  const double widest = std::max({0.62 * kNameHeight * static_cast<double>(piece.name.size()),
+                                  0.62 * kTextHeight * static_cast<double>(std::max(number.size(), cut.size()))});
+  const double scale = std::min(1.0, 0.8 * room / (widest + 12.0));
+  const double shift = 0.5 * scale * widest + 8.0;
+  addGrain(depthWithin(middle - PaperPoint(shift, 0.0), piece.sew) > 5.0 ? middle - PaperPoint(shift, 0.0) : middle,
+           piece);
+  piece.texts.push_back({middle + PaperPoint(0.0, 5.0 * scale), kNameHeight * scale, 0.0, piece.name});
+  piece.texts.push_back({middle - PaperPoint(0.0, 4.0 * scale), kTextHeight * scale, 0.0, number});
+  piece.texts.push_back({middle - PaperPoint(0.0, 11.0 * scale), kTextHeight * scale, 0.0, cut});
+  for (size_t i = 0; i < line.edges.size(); ++i) {
+    if (line.edges[i].is_dart) continue;
+    PaperPoint along;
+    const PaperPoint at = pointAt(pattern, line.edges[i], line.numbers[i], 0.5, along);
+    const PieceEdge& edge = pattern.cut.edges[line.numbers[i]];
+    double angle = std::atan2(along.y(), along.x()) * 180.0 / M_PI;
+    const PaperPoint inward(-along.y(), along.x());
+    const bool is_reversed = angle > 90.0 || angle <= -90.0;
+    if (is_reversed) angle += angle > 0.0 ? -180.0 : 180.0;
+    std::string words = edge.name;
+    if (edge.partner >= 0 && pattern.cut.edges[edge.partner].piece != edge.piece)
+      words += " > " + pattern.pieces[pattern.cut.edges[edge.partner].piece].name;
+    const double length = (line.edges[i].points.back() - line.edges[i].points.front()).norm();
+    if (0.6 * kSeamNameHeight * static_cast<double>(words.size()) > length) words = edge.name;
+    piece.texts.push_back({at + inward * (is_reversed ? 2.0 + kSeamNameHeight : 2.0), kSeamNameHeight, angle, words});
+  }
+}
+
+}  // namespace
+
+std::vector<DrawnPiece> drawPieces(const FlatPattern& pattern, const Allowances& allowances) {
+  std::vector<DrawnPiece> drawn;
+  std::vector<SewLine> lines;
+  for (int p = 0; p < pattern.cut.pieces.count; ++p) {
+    lines.push_back(sewLine(pattern, p, allowances));
+    DrawnPiece piece;
+    piece.name = pattern.pieces[p].name;
+    piece.source = p;
+    piece.axes = paperAxes(pattern, p);
+    for (const SewnEdge& edge : lines.back().edges) {
+      piece.sew_corners.push_back(piece.sew.size());
+      piece.sew.insert(piece.sew.end(), edge.points.begin(), edge.points.end() - 1);
+    }
+    piece.cut = cutLine(lines.back().edges);
+    drawn.push_back(std::move(piece));
+  }
+  const std::vector<int> mirror = mirrorPieces(drawn);
+  const int count = static_cast<int>(std::count(mirror.begin(), mirror.end(), -1));
+  std::vector<DrawnPiece> pieces;
+  for (size_t p = 0; p < drawn.size(); ++p) {
+    if (mirror[p] >= 0) continue;
+    DrawnPiece& piece = drawn[p];
+    piece.number = static_cast<int>(pieces.size()) + 1;
+    piece.of = count;
+    for (size_t q = p + 1; q < drawn.size(); ++q)
+      if (mirror[q] == static_cast<int>(p)) {
+        piece.quantity = 2;
+        piece.mirrored = true;
+        piece.name += " / " + drawn[q].name;
+      }
+    addSeamNotches(pattern, lines[p], piece);
+    addDarts(lines[p], piece);
+    addWords(pattern, lines[p], piece);
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+}  // namespace ease

@@ -1,0 +1,29 @@
+// Draws the pieces of a flat pattern with all that a tailor needs to cut and sew them.
+//
+//   cut and sew line   allowance.h; the legs of darts straight and equally long
+//   notches            on the sew line's seams at the middle, or at a third and two thirds where the seam is longer
+//   than
+//                      15 cm, at the same share of the seam's length in the garment on both sides; two beside each
+//                      other where a back piece is sewn; at the mouth of darts, with a hole 1 cm before the tip
+//   grain              a line with arrows along the warp
+//   words              name, number, how often to cut it; along every seam its name
+#pragma once
+
+#include <map>
+
+#include "garment/pattern/drawing.h"
+#include "garment/pattern/flat_pattern.h"
+
+namespace ease {
+
+/// Width of the allowance, m: that of all edges, and of edges by the name of their seam or loop.
+struct Allowances {
+  double all = 0.010;
+  std::map<std::string, double> by_name;
+};
+
+/// One drawing of every piece, each about its own origin.  Of two pieces that are mirror images within 2 mm only the
+/// first is drawn, to be cut twice.
+std::vector<DrawnPiece> drawPieces(const FlatPattern& pattern, const Allowances& allowances);
+
+}  // namespace ease

@@ -1,0 +1,159 @@
+#include "garment/pattern/flat_pattern.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "garment/pattern/darts.h"
+#include "garment/pattern/outline_crossing.h"
+#include "garment/pattern/piece_names.h"
+
+namespace ease {
+namespace {
+
+FlatPieces flatPieces(const CutGarment& cut, const std::vector<Mat2>& rest_edges) {
+  FlatPieces flat{cut.pieces.mesh.triangles, rest_edges, {}, static_cast<int>(cut.pieces.glue.size())};
+  for (int p = 0; p < cut.pieces.count; ++p) flat.outlines.push_back(outlineOf(cut, p));
+  return flat;
+}
+
+/// The edges of both sides of all seams.
+std::vector<SewnPair> sewnPairs(const CutGarment& cut) {
+  std::vector<SewnPair> pairs;
+  for (size_t e = 0; e < cut.edges.size(); ++e) {
+    const PieceEdge& a = cut.edges[e];
+    if (a.partner < static_cast<int>(e)) continue;
+    const PieceEdge& b = cut.edges[a.partner];
+    const size_t n = a.vertices.size();
+    for (size_t i = 0; i + 1 < n; ++i)
+      pairs.push_back({a.vertices[i], a.vertices[i + 1], b.vertices[n - 1 - i], b.vertices[n - 2 - i]});
+  }
+  return pairs;
+}
+
+double lengthOf(const std::vector<int>& vertices, const Positions& x) {
+  double length = 0.0;
+  for (size_t i = 0; i + 1 < vertices.size(); ++i) length += (x.row(vertices[i + 1]) - x.row(vertices[i])).norm();
+  return length;
+}
+
+/// How far along an edge its vertices lie in the garment, m.
+std::vector<double> restLengthsAlong(const std::vector<int>& vertices, const FlatPieces& flat,
+                                     const Topology& topology) {
+  std::vector<double> lengths = {0.0};
+  for (size_t i = 0; i + 1 < vertices.size(); ++i) {
+    const std::array<int, 2> key = {std::min(vertices[i], vertices[i + 1]), std::max(vertices[i], vertices[i + 1])};
+    const auto edge = std::lower_bound(topology.edges.begin(), topology.edges.end(), key,
+                                       [](const Edge& e, const std::array<int, 2>& k) { return e.vertex < k; });
+    const int t = edge->triangle[0];
+    const double step = edgeLengths(flat.rest_edges[t])[cornerOf(flat.triangles, t, edge->opposite[0])];
+    lengths.push_back(lengths.back() + step);
+  }
+  return lengths;
+}
+
+/// Strains, seam lengths and warnings of pieces that are flat.
+void measure(const FlatSettings& settings, FlatPattern& pattern) {
+  pattern.strains = threadStrains(pattern.flat, pattern.x);
+  pattern.seams.clear();
+  pattern.warnings.clear();
+  const Topology topology = buildTopology(pattern.cut.pieces.mesh, "the pattern's pieces");
+  pattern.shares.clear();
+  for (size_t e = 0; e < pattern.cut.edges.size(); ++e) {
+    const PieceEdge& edge = pattern.cut.edges[e];
+    std::vector<double> along = restLengthsAlong(edge.vertices, pattern.flat, topology);
+    const double whole = along.back();
+    for (double& length : along) length /= whole;
+    pattern.shares.push_back(std::move(along));
+    if (edge.partner <= static_cast<int>(e)) continue;
+    SeamSides sides{edge.line, static_cast<int>(e), edge.partner, whole, 0.0, 0.0};
+    sides.left_length = lengthOf(edge.vertices, pattern.x);
+    sides.right_length = lengthOf(pattern.cut.edges[edge.partner].vertices, pattern.x);
+    pattern.seams.push_back(sides);
+  }
+  for (size_t p = 0; p < pattern.pieces.size(); ++p) {
+    FlatPiece& piece = pattern.pieces[p];
+    const int number = static_cast<int>(p);
+    piece.strain =
+        strainOf(pattern.flat, pattern.x, pattern.strains, pattern.cut.pieces.piece, number, settings.limits);
+    piece.crosses_itself = crossesItself(pattern.flat.outlines[p], pattern.x);
+    piece.darts = 0;
+    for (const int e : pattern.cut.outlines[p]) piece.darts += isDartLeg(pattern.cut, e) ? 1 : 0;
+    piece.darts /= 2;
+    if (piece.crosses_itself)
+      pattern.warnings.push_back(
+          fmt::format("piece '{}' overlaps itself when flat and cannot be cut: give it one more seam", piece.name));
+    if (!keeps(piece.strain, settings.limits))
+      pattern.warnings.push_back(
+          fmt::format("piece '{}': threads {:.1f} % over {:g} % on {:.1f} % of its area, shear {:.1f} degrees at 99 %: "
+                      "no dart that was "
+                      "tried reaches the limits; give it one more seam",
+                      piece.name, 100 * piece.strain.thread_p98, 100 * settings.limits.thread,
+                      100 * piece.strain.thread_over_share, piece.strain.shear_p99 * 180 / M_PI));
+  }
+}
+
+}  // namespace
+
+bool isDartLeg(const CutGarment& cut, int edge) {
+  const PieceEdge& leg = cut.edges[edge];
+  if (leg.partner < 0 || cut.edges[leg.partner].piece != leg.piece) return false;
+  const PieceEdge& other = cut.edges[leg.partner];
+  return leg.vertices.back() == other.vertices.front() || leg.vertices.front() == other.vertices.back();
+}
+
+std::vector<int> outlineOf(const CutGarment& cut, int piece) {
+  std::vector<int> outline;
+  for (const int e : cut.outlines[piece])
+    outline.insert(outline.end(), cut.edges[e].vertices.begin(), cut.edges[e].vertices.end() - 1);
+  return outline;
+}
+
+FlatPattern flattenGarment(const RestGarment& garment, const FlatSettings& settings) {
+  FlatPattern pattern;
+  for (const Seam& seam : garment.seams) pattern.lines.push_back({seam, LineKind::seam});
+  pattern.lines = makeDisks(garment.mesh, garment.rest_edges, pattern.lines, garment.loops);
+  pattern.lines = withDarts(garment, pattern.lines, settings);
+  pattern.cut = cutGarment(garment.mesh, pattern.lines, garment.loops);
+  pattern.flat = flatPieces(pattern.cut, garment.rest_edges);
+  const Flattened flattened = flatten(pattern.flat, sewnPairs(pattern.cut), settings.woven);
+  pattern.x = flattened.x;
+  pattern.mended = flattened.mended;
+  pattern.iterations = flattened.iterations;
+  const std::vector<std::string> names = pieceNames(pattern.cut, garment.mesh, settings.names);
+  for (int p = 0; p < pattern.cut.pieces.count; ++p) {
+    FlatPiece piece;
+    piece.name = names[p];
+    piece.upside_down = isUpsideDown(pattern.cut, garment.mesh, pattern.x, p);
+    pattern.pieces.push_back(piece);
+  }
+  measure(settings, pattern);
+  return pattern;
+}
+
+FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges,
+                         const FlatSettings& settings) {
+  FlatPattern again = pattern;
+  again.flat.rest_edges = rest_edges;
+  const Flattened flattened = flatten(again.flat, sewnPairs(again.cut), settings.woven, &pattern.x);
+  again.x = flattened.x;
+  again.mended += flattened.mended;
+  again.iterations += flattened.iterations;
+  measure(settings, again);
+  again.warnings = pattern.warnings;
+  for (size_t p = 0; p < again.pieces.size(); ++p) {
+    const int flipped = again.pieces[p].strain.flipped;
+    again.pieces[p].strain = pattern.pieces[p].strain;
+    again.pieces[p].strain.flipped = flipped;
+  }
+  return again;
+}
+
+std::vector<Mat2> sewnEdges(const FlatPattern& pattern) {
+  std::vector<Mat2> edges;
+  for (int t = 0; t < pattern.flat.triangles.rows(); ++t)
+    edges.push_back(edgeMatrix(pattern.x, pattern.flat.triangles, t).topRows<2>());
+  return edges;
+}
+
+}  // namespace ease

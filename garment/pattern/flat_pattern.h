@@ -1,0 +1,85 @@
+// From a garment at rest to the flat pieces that it can be sewn from.
+//
+//   cut        along the seams, and along the shortest way where a piece is no disk     (cut_garment.h)
+//   darts      where a piece would have to stretch or shear beyond the limits           (darts.h)
+//   flatten    all pieces together, sides of a seam equally long                        (flattening.h)
+//   name       after the loops around a piece and the side of the wearer                (piece_names.h)
+#pragma once
+
+#include <functional>
+
+#include "garment/pattern/cut_garment.h"
+#include "garment/pattern/flattening.h"
+#include "garment/pattern/thread_strain.h"
+
+namespace ease {
+
+/// A garment at rest, as a mesh and as the flat triangles that it consists of.
+struct RestGarment {
+  TriangleMesh mesh;             // in space, m; tells front from back, not how long anything is
+  std::vector<Mat2> rest_edges;  // of every triangle, m; rows: warp and weft
+  std::vector<Seam> seams;
+  std::vector<NamedLoop> loops;
+};
+
+/// A name for the piece nearest to a point, m.
+struct PieceName {
+  std::string name;
+  Vec3 at;
+};
+
+struct FlatSettings {
+  StrainLimits limits;
+  WovenSettings woven;
+  int max_darts = 12;
+  std::vector<PieceName> names;
+};
+
+struct FlatPiece {
+  std::string name;
+  StrainSummary strain;
+  int darts = 0;
+  bool upside_down = false;  // whether the warp points up the wearer's body
+  bool crosses_itself = false;
+};
+
+/// Two edges that are sewn together.
+struct SeamSides {
+  int line;                                      // of FlatPattern::lines
+  int left, right;                               // of CutGarment::edges
+  double rest_length = 0.0;                      // m, of the seam in the garment
+  double left_length = 0.0, right_length = 0.0;  // m, on the paper
+};
+
+struct FlatPattern {
+  std::vector<CutLine> lines;
+  CutGarment cut;
+  FlatPieces flat;
+  Positions x;  // of the cut mesh's vertices in the plane: (warp, weft, 0), m
+  std::vector<ThreadStrain> strains;
+  std::vector<FlatPiece> pieces;
+  std::vector<SeamSides> seams;
+  // By edge of the cut, by its vertex: how far along the edge it lies in the garment, 0 to 1.
+  std::vector<std::vector<double>> shares;
+  int mended = 0;  // pieces that were flattened again, without flips
+  int iterations = 0;
+  std::vector<std::string> warnings;
+};
+
+/// Cuts and flattens.  Throws InputError where the seams leave a piece that cannot be opened or a name meets no piece,
+/// ComputationError where triangles are degenerate.
+FlatPattern flattenGarment(const RestGarment& garment, const FlatSettings& settings);
+
+/// Flattens the same pieces for another rest shape, from where they are.  Their strain stays that of the first one.
+FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges, const FlatSettings& settings);
+
+/// Flat edges of the garment's triangles if it is sewn from these pieces, m: what its rest shape is then.
+std::vector<Mat2> sewnEdges(const FlatPattern& pattern);
+
+/// Whether an edge is a leg of a dart: sewn to the edge beside it.
+bool isDartLeg(const CutGarment& cut, int edge);
+
+/// The vertices of a piece's outline in order.
+std::vector<int> outlineOf(const CutGarment& cut, int piece);
+
+}  // namespace ease

@@ -1,0 +1,141 @@
+#include "garment/pattern/paper_tiles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "garment/pattern/outline_crossing.h"
+#include "garment/pattern/sheet.h"
+
+namespace ease {
+namespace {
+
+constexpr double kMargin = 10.0;  // mm that printers leave
+constexpr double kGlue = 10.0;    // mm, width of the strip that is glued on
+constexpr double kCross = 4.0;    // mm, half a cross
+
+DrawnLine boxLine(const PaperPoint& lower, const PaperPoint& upper) {
+  return {Ink::paper, {lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}}, true};
+}
+
+bool meets(const std::vector<PaperPoint>& line, bool is_closed, const PaperPoint& lower, const PaperPoint& upper) {
+  const PaperPoint corners[] = {lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}};
+  const size_t n = line.size();
+  double s = 0.0, t = 0.0;
+  for (size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i) {
+    const PaperPoint &a = line[i], &b = line[(i + 1) % n];
+    const auto isWithin = [&](const PaperPoint& p) {
+      return (p.array() >= lower.array()).all() && (p.array() <= upper.array()).all();
+    };
+    if (isWithin(a) || isWithin(b)) return true;
+    for (int k = 0; k < 4; ++k)
+      if (crossing(a, b, corners[k], corners[(k + 1) % 4], s, t)) return true;
+  }
+  return false;
+}
+
+/// Whether anything to be cut or sewn, or the test box, lies in a part of the drawing.
+bool isUsed(const Drawing& drawing, const PaperPoint& lower, const PaperPoint& upper) {
+  for (const DrawnPiece& piece : drawing.pieces) {
+    if (meets(piece.cut, true, lower, upper) || meets(piece.sew, true, lower, upper)) return true;
+    for (const DrawnLine& line : piece.lines)
+      if (meets(line.points, line.is_closed, lower, upper)) return true;
+    for (const DrawnText& text : piece.texts)
+      if (meets({text.at, text.at}, false, lower, upper)) return true;
+  }
+  return false;
+}
+
+/// "A1": rows by letters from the top, columns by numbers from the left.
+std::string tileName(int row, int column) {
+  std::string letters;
+  for (int r = row; r >= 0; r = r / 26 - 1) letters.insert(letters.begin(), static_cast<char>('A' + r % 26));
+  return letters + std::to_string(column + 1);
+}
+
+struct Tile {
+  int row, column;
+};
+
+/// The part of the drawing in one tile and the names of what lies beside it.
+PdfPage tilePage(const Paper& paper, const Tile& tile, const PaperPoint& lower, size_t number, size_t count) {
+  PdfPage page{paper.width, paper.height, {}, {}, {}};
+  const PaperPoint from(kMargin, kMargin), to(paper.width - kMargin, paper.height - kMargin);
+  page.views.push_back({from + PaperPoint(0.0, kGlue) - lower, 1.0, from, to});
+  const PaperPoint inner_from = from + PaperPoint(0.0, kGlue), inner_to = to - PaperPoint(kGlue, 0.0);
+  page.lines.push_back(boxLine(inner_from, inner_to));
+  page.lines.push_back(boxLine(from, to));
+  const PaperPoint size = inner_to - inner_from;
+  const auto cross = [&](const PaperPoint& at) {
+    page.lines.push_back({Ink::paper, {at - PaperPoint(kCross, 0.0), at + PaperPoint(kCross, 0.0)}, false});
+    page.lines.push_back({Ink::paper, {at - PaperPoint(0.0, kCross), at + PaperPoint(0.0, kCross)}, false});
+  };
+  for (const double share : {0.25, 0.75}) {
+    cross(inner_from + PaperPoint(share * size.x(), 0.0));
+    cross(inner_from + PaperPoint(share * size.x(), size.y()));
+    cross(inner_from + PaperPoint(0.0, share * size.y()));
+    cross(inner_from + PaperPoint(size.x(), share * size.y()));
+  }
+  const std::string name = tileName(tile.row, tile.column);
+  for (const PaperPoint& at :
+       {PaperPoint(inner_from.x() + 8.0, inner_to.y() - 8.0), PaperPoint(inner_to.x() - 8.0, inner_to.y() - 8.0),
+        PaperPoint(inner_from.x() + 8.0, inner_from.y() + 4.0), PaperPoint(inner_to.x() - 8.0, inner_from.y() + 4.0)})
+    page.texts.push_back({at, 4.0, 0.0, name});
+  const PaperPoint box = from + PaperPoint(4.0, 3.0);
+  page.lines.push_back(boxLine(box, box + PaperPoint(kTestBox, 4.0)));
+  page.texts.push_back({box + PaperPoint(0.5 * kTestBox, 0.8), 2.4, 0.0, "5 cm"});
+  page.texts.push_back(
+      {from + PaperPoint(0.5 * size.x() + 20.0, 3.5), 2.6, 0.0,
+       fmt::format("{}, page {} of {}; glue {} here", name, number, count, tileName(tile.row + 1, tile.column))});
+  page.texts.push_back({to - PaperPoint(3.0, 0.5 * size.y()), 2.6, 90.0,
+                        fmt::format("glue {} here", tileName(tile.row, tile.column + 1))});
+  return page;
+}
+
+PdfPage coverPage(const Drawing& drawing, const Paper& paper, const std::vector<Tile>& tiles, const PaperPoint& step) {
+  PdfPage cover{paper.width, paper.height, {}, {}, {}};
+  const double top = paper.height - kMargin, room_x = paper.width - 2.0 * kMargin, room_y = paper.height - 120.0;
+  cover.texts.push_back({{0.5 * paper.width, top - 8.0}, 6.0, 0.0, drawing.title});
+  const std::string lines[] = {fmt::format("{} pages; print them at 100 %, not fitted to the page", tiles.size() + 1),
+                               "measure the box: it must be 5 cm wide and high",
+                               "cut along the right and lower inner line, or fold; glue each page on the strips of its "
+                               "neighbours, cross on cross"};
+  for (int i = 0; i < 3; ++i) cover.texts.push_back({{0.5 * paper.width, top - 18.0 - 6.0 * i}, 2.8, 0.0, lines[i]});
+  const PaperPoint box(kMargin + 5.0, kMargin + 5.0);
+  cover.lines.push_back(boxLine(box, box + PaperPoint(kTestBox, kTestBox)));
+  cover.texts.push_back({box + PaperPoint(0.5 * kTestBox, 0.5 * kTestBox - 1.5), 3.0, 0.0, "5 cm x 5 cm"});
+  const double scale = std::min(room_x / drawing.width, room_y / drawing.height);
+  const PaperPoint at(0.5 * (paper.width - scale * drawing.width), top - 38.0 - scale * drawing.height);
+  cover.views.push_back({at, scale, at, at + scale * PaperPoint(drawing.width, drawing.height)});
+  for (const Tile& tile : tiles) {
+    const PaperPoint lower(tile.column * step.x(), drawing.height - (tile.row + 1) * step.y());
+    cover.lines.push_back(boxLine(at + scale * lower, at + scale * (lower + step)));
+    cover.texts.push_back(
+        {at + scale * (lower + 0.5 * step) - PaperPoint(0.0, 2.0), 4.0, 0.0, tileName(tile.row, tile.column)});
+  }
+  return cover;
+}
+
+}  // namespace
+
+std::vector<PdfPage> paperTiles(const Drawing& drawing, const Paper& paper) {
+  const PaperPoint step(paper.width - 2.0 * kMargin - kGlue, paper.height - 2.0 * kMargin - kGlue);
+  const int columns = static_cast<int>(std::ceil(drawing.width / step.x())),
+            rows = static_cast<int>(std::ceil(drawing.height / step.y()));
+  std::vector<Tile> tiles;
+  std::vector<PaperPoint> lowers;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const PaperPoint lower(column * step.x(), drawing.height - (row + 1) * step.y());
+      if (!isUsed(drawing, lower, lower + step)) continue;
+      tiles.push_back({row, column});
+      lowers.push_back(lower);
+    }
+  std::vector<PdfPage> pages = {coverPage(drawing, paper, tiles, step)};
+  for (size_t i = 0; i < tiles.size(); ++i)
+    pages.push_back(tilePage(paper, tiles[i], lowers[i], i + 2, tiles.size() + 1));
+  return pages;
+}
+
+}  // namespace ease

@@ -1,0 +1,20 @@
+// Names of pattern pieces: those that were given, and for the others the loop or the side of the wearer.
+//
+//   one loop besides hem and neck around it   the loop's name: "left sleeve"
+//   else                                      "front" or "back", "left" or "right", where most of it faces
+//   several of one name                       with "front" or "back", "left" or "right", "upper" or "lower", or a
+//   number
+#pragma once
+
+#include "garment/pattern/flat_pattern.h"
+
+namespace ease {
+
+/// Names of all pieces, no two alike.  Throws InputError where two names were given to one piece.
+std::vector<std::string> pieceNames(const CutGarment& cut, const TriangleMesh& garment,
+                                    const std::vector<PieceName>& given);
+
+/// Whether a flat piece's warp points up the body (+y) more than down.
+bool isUpsideDown(const CutGarment& cut, const TriangleMesh& garment, const Positions& x, int piece);
+
+}  // namespace ease

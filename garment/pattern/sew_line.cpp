@@ -1,0 +1,157 @@
+#include "garment/pattern/sew_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ease {
+namespace {
+
+constexpr double kMillimetres = 1000.0;   // in a metre
+constexpr int kSmoothings = 4;            // of an edge
+constexpr double kCorner = 40.0;          // degrees: sharper bends are corners and stay
+constexpr size_t kBend = 3;               // points on either side by which a bend is measured
+constexpr int kSmoothingsOfOpening = 60;  // of a line along edges of the mesh
+constexpr double kAlike = 2.0;            // mm: how far mirror images may differ
+constexpr int kSamples = 200;             // points along an outline that are compared
+
+/// Whether the line bends sharply at point i.
+bool isCorner(const std::vector<PaperPoint>& points, size_t i) {
+  const PaperPoint a = points[i] - points[i - std::min(i, kBend)],
+                   b = points[std::min(i + kBend, points.size() - 1)] - points[i];
+  return a.dot(b) < std::cos(kCorner * M_PI / 180.0) * a.norm() * b.norm();
+}
+
+/// Moves inner points but corners to the middle of their neighbours and themselves, again and again.
+void smooth(int passes, bool keeps_corners, std::vector<PaperPoint>& points) {
+  std::vector<char> stays(points.size(), 1);
+  for (size_t i = 1; i + 1 < points.size(); ++i) stays[i] = keeps_corners && isCorner(points, i) ? 1 : 0;
+  for (int pass = 0; pass < passes; ++pass) {
+    const std::vector<PaperPoint> before = points;
+    for (size_t i = 1; i + 1 < points.size(); ++i)
+      if (!stays[i]) points[i] = 0.25 * before[i - 1] + 0.5 * before[i] + 0.25 * before[i + 1];
+  }
+}
+
+/// The tip moved so that both legs of a dart are equally long: onto the line through the middle of its mouth, square
+/// to it.
+PaperPoint middledTip(const PaperPoint& p, const PaperPoint& tip, const PaperPoint& q) {
+  const PaperPoint mouth = q - p;
+  if (mouth.norm() < 1e-9) return tip;
+  const PaperPoint along = mouth.normalized();
+  return tip - along.dot(tip - 0.5 * (p + q)) * along;
+}
+
+/// Points at equal distances along a closed line, beginning at the point `from`.
+std::vector<PaperPoint> resampled(const std::vector<PaperPoint>& line, size_t from) {
+  const size_t n = line.size();
+  double length = 0.0;
+  for (size_t i = 0; i < n; ++i) length += (line[(i + 1) % n] - line[i]).norm();
+  std::vector<PaperPoint> samples;
+  double reached = 0.0;
+  size_t i = from, passed = 0;
+  for (int k = 0; k < kSamples; ++k) {
+    const double at = length * k / kSamples;
+    while (passed < n && reached + (line[(i + 1) % n] - line[i]).norm() < at) {
+      reached += (line[(i + 1) % n] - line[i]).norm();
+      i = (i + 1) % n;
+      ++passed;
+    }
+    const PaperPoint step = line[(i + 1) % n] - line[i];
+    samples.push_back(line[i] + (at - reached) / std::max(step.norm(), 1e-12) * step);
+  }
+  return samples;
+}
+
+/// Largest distance of corresponding points after the best shift, mm.
+double shiftedDistance(const std::vector<PaperPoint>& a, const std::vector<PaperPoint>& b) {
+  PaperPoint shift = PaperPoint::Zero();
+  for (size_t i = 0; i < a.size(); ++i) shift += (b[i] - a[i]) / static_cast<double>(a.size());
+  double largest = 0.0;
+  for (size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] + shift - b[i]).norm());
+  return largest;
+}
+
+}  // namespace
+
+Eigen::Matrix2d paperAxes(const FlatPattern& pattern, int piece) {
+  const double sign = pattern.pieces[piece].upside_down ? -kMillimetres : kMillimetres;
+  Eigen::Matrix2d axes;
+  axes << 0.0, sign, -sign, 0.0;
+  return axes;
+}
+
+SewLine sewLine(const FlatPattern& pattern, int piece, const Allowances& allowances) {
+  SewLine line;
+  const Eigen::Matrix2d axes = paperAxes(pattern, piece);
+  for (const int e : pattern.cut.outlines[piece]) {
+    const PieceEdge& edge = pattern.cut.edges[e];
+    SewnEdge drawn;
+    for (const int v : edge.vertices) drawn.points.push_back(axes * pattern.x.row(v).head<2>().transpose());
+    const auto named = allowances.by_name.find(edge.name);
+    drawn.width = kMillimetres * (named != allowances.by_name.end() ? named->second : allowances.all);
+    drawn.is_folded = edge.line < 0;
+    drawn.is_dart = isDartLeg(pattern.cut, e);
+    if (drawn.is_dart) drawn.width = 0.0;
+    const bool is_zigzag = edge.kind == LineKind::opened;
+    smooth(is_zigzag ? kSmoothingsOfOpening : kSmoothings, !is_zigzag, drawn.points);
+    line.edges.push_back(std::move(drawn));
+    line.numbers.push_back(e);
+  }
+  const size_t n = line.edges.size();
+  for (size_t i = 0; i < n; ++i) {  // begin with an edge whose dart, if it is a leg, begins with it
+    const bool is_second = line.edges[0].is_dart && pattern.cut.edges[line.numbers[0]].partner == line.numbers[n - 1];
+    if (!is_second) break;
+    std::rotate(line.edges.begin(), line.edges.begin() + 1, line.edges.end());
+    std::rotate(line.numbers.begin(), line.numbers.begin() + 1, line.numbers.end());
+  }
+  for (size_t i = 0; i + 1 < n; ++i) {
+    SewnEdge &leg = line.edges[i], &back = line.edges[i + 1];
+    if (!leg.is_dart || pattern.cut.edges[line.numbers[i]].partner != line.numbers[i + 1]) continue;
+    const PaperPoint tip = middledTip(leg.points.front(), leg.points.back(), back.points.back());
+    leg.points = {leg.points.front(), tip};
+    back.points = {tip, back.points.back()};
+    ++i;
+  }
+  return line;
+}
+
+std::vector<double> drawnLengths(const FlatPattern& pattern) {
+  std::vector<double> lengths(pattern.cut.edges.size(), 0.0);
+  for (int p = 0; p < pattern.cut.pieces.count; ++p) {
+    const SewLine line = sewLine(pattern, p, Allowances());
+    for (size_t i = 0; i < line.edges.size(); ++i)
+      for (size_t k = 0; k + 1 < line.edges[i].points.size(); ++k)
+        lengths[line.numbers[i]] += (line.edges[i].points[k + 1] - line.edges[i].points[k]).norm() / kMillimetres;
+  }
+  return lengths;
+}
+
+PaperPoint pointAt(const FlatPattern& pattern, const SewnEdge& drawn, int edge, double share, PaperPoint& direction) {
+  const std::vector<double>& shares = pattern.shares[edge];
+  size_t i = 0;
+  while (i + 2 < shares.size() && shares[i + 1] < share) ++i;
+  const double part = std::clamp((share - shares[i]) / (shares[i + 1] - shares[i]), 0.0, 1.0);
+  direction = (drawn.points[i + 1] - drawn.points[i]).normalized();
+  return drawn.points[i] + part * (drawn.points[i + 1] - drawn.points[i]);
+}
+
+std::vector<int> mirrorPieces(const std::vector<DrawnPiece>& pieces) {
+  std::vector<int> mirror(pieces.size(), -1);
+  std::vector<char> taken(pieces.size(), 0);
+  for (size_t p = 0; p < pieces.size(); ++p)
+    for (size_t q = p + 1; q < pieces.size() && !taken[p]; ++q) {
+      if (taken[q]) continue;
+      const DrawnPiece image = mirrorImage(pieces[q]);
+      if (image.sew_corners.size() != pieces[p].sew_corners.size()) continue;
+      if (std::abs(areaWithin(image.sew) / areaWithin(pieces[p].sew) - 1.0) > 0.02) continue;
+      const std::vector<PaperPoint> samples = resampled(pieces[p].sew, pieces[p].sew_corners.front());
+      for (const size_t corner : image.sew_corners)
+        if (!taken[p] && shiftedDistance(samples, resampled(image.sew, corner)) <= kAlike) {
+          mirror[q] = static_cast<int>(p);
+          taken[p] = taken[q] = 1;
+        }
+    }
+  return mirror;
+}
+
+}  // namespace ease

@@ -1,0 +1,31 @@
+// The sew line of a flat piece, in millimetres as it lies on the paper.
+#pragma once
+
+#include "garment/pattern/allowance.h"
+#include "garment/pattern/draw_piece.h"
+
+namespace ease {
+
+/// A piece's edges as they are drawn.  Legs of darts are straight and equally long.  Every other edge is smoothed over
+/// about 2 cm, the same way on both sides of a seam, and lines that were cut to open a piece, which zigzag along edges
+/// of the mesh, over more.  Ends of edges stay.
+struct SewLine {
+  std::vector<SewnEdge> edges;  // in the order of CutGarment::outlines
+  std::vector<int> numbers;     // of CutGarment::edges
+};
+
+/// From (warp, weft), m, to the paper, mm: up on the wearer is up.
+Eigen::Matrix2d paperAxes(const FlatPattern& pattern, int piece);
+
+SewLine sewLine(const FlatPattern& pattern, int piece, const Allowances& allowances);
+
+/// Length of every edge of the cut as it is drawn, m.
+std::vector<double> drawnLengths(const FlatPattern& pattern);
+
+/// The point of a drawn edge at a share of the seam's length in the garment; `direction`: along the edge there.
+PaperPoint pointAt(const FlatPattern& pattern, const SewnEdge& drawn, int edge, double share, PaperPoint& direction);
+
+/// Pieces that are the mirror image of an earlier one within 2 mm: by piece the number of the earlier one, or -1.
+std::vector<int> mirrorPieces(const std::vector<DrawnPiece>& pieces);
+
+}  // namespace ease

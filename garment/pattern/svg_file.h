@@ -1,0 +1,13 @@
+// A drawing as SVG in millimetres: one group a piece, in it one a kind of line, which Inkscape shows as layers.
+#pragma once
+
+#include "garment/pattern/drawing.h"
+
+namespace ease {
+
+std::string svgText(const Drawing& drawing);
+
+/// Colour of lines, 0xRRGGBB: red is cut, blue is sewn, green are marks; as laser cutters take them.
+int colourOf(Ink ink);
+
+}  // namespace ease

@@ -1,0 +1,65 @@
+// Tests of `ease pattern` (apps/pattern_command.cpp) through the program.
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/command.h"
+
+using namespace ease;
+using Catch::Contains;
+
+namespace {
+
+/// A tube of cloth around the mannequin's trunk that is held for a few steps, with seams at both sides.
+const std::string kTube =
+    "body = {builtin = 'mannequin', poses = ['t'], steps = 4}\nsolver = {steps_per_pose = 1}\n"
+    "[garment]\nresolution = 400\n[garment.region]\nseed = [0, 1, 0.2]\n"
+    "[[garment.boundary]]\nname = 'top'\nplane = {point = [0, 1.2, 0], normal = [0, 1, 0]}\n"
+    "[[garment.boundary]]\nname = 'hem'\nplane = {point = [0, 0.9, 0], normal = [0, 1, 0], near = [0, 0.9, 0.1]}\n";
+const std::string kSides =
+    "[[garment.seam]]\nname = 'left'\nfrom = 'hem'\nto = 'top'\npoints = [[0.15, 1.05, 0]]\n"
+    "[[garment.seam]]\nname = 'right'\nfrom = 'hem'\nto = 'top'\npoints = [[-0.15, 1.05, 0]]\n";
+
+}  // namespace
+
+TEST_CASE("pattern runs a scene, writes its pattern and how the garment sewn from it differs") {
+  const TemporaryDirectory directory;
+  directory.write("tube.toml", kTube + kSides);
+  const Outcome made = runEase(directory, "pattern tube.toml -o made");
+  INFO(made.err);
+  REQUIRE(made.code == 0);
+  for (const char* name :
+       {"pattern.svg", "pattern.pdf", "pattern_a4.pdf", "pattern.dxf", "pattern.json", "pattern.vtp", "rest_shape.vtp"})
+    CHECK(std::filesystem::file_size(directory.path / "made" / name) > 0);
+  const auto report = nlohmann::json::parse(contentOf(directory.path / "made/report.json")).at("pattern");
+  CHECK(report.at("pieces").size() == 2);
+  CHECK(report.at("pieces")[0].at("flipped") == 0);
+  CHECK(report.at("seams").size() == 2);
+  for (const auto& seam : report.at("seams")) CHECK(seam.at("difference_mm").get<double>() < 1.6);
+  CHECK(report.at("resewn").at("rms_mm").get<double>() < 3.0);
+  CHECK(report.at("cloth_m2").get<double>() > 0.2);
+
+  // Of the finished run, elsewhere, without simulating it again.
+  const Outcome again = runEase(directory, "pattern made -o again");
+  REQUIRE(again.code == 0);
+  CHECK_THAT(again.out, !Contains("the scene is run first"));
+  CHECK(contentOf(directory.path / "again/pattern.svg") == contentOf(directory.path / "made/pattern.svg"));
+}
+
+TEST_CASE("pattern says in a line what it lacks") {
+  const TemporaryDirectory directory;
+  directory.write("seamless.toml", kTube);
+  const Outcome seamless = runEase(directory, "pattern seamless.toml");
+  CHECK(seamless.code == 1);
+  CHECK(isOneLine(seamless.err));
+  CHECK_THAT(seamless.err, Contains("has no [[garment.seam]]"));
+
+  const Outcome empty = runEase(directory, "pattern .");
+  CHECK(empty.code == 1);
+  CHECK(isOneLine(empty.err));
+  CHECK_THAT(empty.err, Contains("no finished run"));
+
+  directory.write("narrow.toml", kTube + kSides + "[pattern]\nfabric_width = 0.2\ncheck = false\n");
+  const Outcome narrow = runEase(directory, "pattern narrow.toml");
+  CHECK(narrow.code == 1);
+  CHECK(isOneLine(narrow.err));
+  CHECK_THAT(narrow.err, Contains("narrow.toml: [pattern] piece '") && Contains("wide"));
+}

@@ -1,0 +1,51 @@
+#include "apps/scene_pattern.h"
+
+#include "tests/apps/scene_text.h"
+
+using namespace ease;
+using Catch::Contains;
+
+namespace {
+
+const std::string kCloth = "solver = {steps = 1}\ngarment = {mesh = 'cloth.obj'}\n";
+
+}  // namespace
+
+TEST_CASE("a scene without [pattern] has the defaults of one") {
+  const PatternScene pattern = sceneOf(kCloth).pattern;
+  CHECK(pattern.limits.thread == 0.05);
+  CHECK(pattern.limits.shear == Approx(14.0 * M_PI / 180.0));
+  CHECK(pattern.allowances.all == 0.010);
+  CHECK(pattern.max_darts > 0);
+  CHECK(pattern.check);
+}
+
+TEST_CASE("the keys of [pattern] are read") {
+  const PatternScene pattern =
+      sceneOf(kCloth +
+              "[pattern]\nthread_limit = 0.03\nshear_limit = 10\nshare = 0.9\ndarts = 2\nfabric_width = 0.9\n"
+              "paper = 'letter'\nformats = ['svg']\ncheck = false\nlet_out = 1\n"
+              "[pattern.allowance]\ndefault = 0.012\nhem = 0.03\n[[pattern.piece]]\nname = 'front'\nat = [0, 1, 0.1]\n")
+          .pattern;
+  CHECK(pattern.limits.thread == 0.03);
+  CHECK(pattern.limits.shear == Approx(10.0 * M_PI / 180.0));
+  CHECK(pattern.limits.share == 0.9);
+  CHECK(pattern.max_darts == 2);
+  CHECK(pattern.fabric_width == 0.9);
+  CHECK(paperNamed(pattern.paper).width == Approx(215.9));
+  CHECK(pattern.formats == std::vector<std::string>{"svg"});
+  CHECK_FALSE(pattern.check);
+  CHECK(pattern.let_out == 1);
+  CHECK(pattern.allowances.all == 0.012);
+  CHECK(pattern.allowances.by_name.at("hem") == 0.03);
+  REQUIRE(pattern.names.size() == 1);
+  CHECK(pattern.names[0].at == Vec3(0, 1, 0.1));
+  CHECK(sceneOf(kCloth + "[pattern]\ndarts = false\nallowance = 0.02\n").pattern.max_darts == 0);
+}
+
+TEST_CASE("wrong keys of [pattern] are refused with what was expected") {
+  CHECK_THAT(errorOf(kCloth + "[pattern]\ndart = true\n"), Contains("did you mean 'darts'?"));
+  CHECK_THAT(errorOf(kCloth + "[pattern]\nformats = ['svg', 'hpgl']\n"), Contains("'hpgl' is none of them"));
+  CHECK_THAT(errorOf(kCloth + "[pattern]\nallowance = 0.5\n"), Contains("a number from 0 to 0.2 m"));
+  CHECK_THAT(errorOf(kCloth + "[[pattern.piece]]\nname = 'front'\n"), Contains("a point on the piece"));
+}

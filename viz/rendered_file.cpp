@@ -1,0 +1,97 @@
+#include "viz/rendered_file.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+
+#include "solver/base/error.h"
+#include "solver/base/whole_file.h"
+#include "viz/offscreen.h"
+
+namespace ease {
+
+namespace {
+
+constexpr double kLevelStep = 3;  // of 255 levels; invisible, and files are a third smaller
+
+/// Keeps VTK and its OpenGL loader from printing on the terminal during the lifetime of the object.
+class Quiet {
+ public:
+  Quiet() { vtkObject::GlobalWarningDisplayOff(); }
+  ~Quiet() { vtkObject::SetGlobalWarningDisplay(before_); }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+ private:
+  vtkTypeBool before_ = vtkObject::GetGlobalWarningDisplay();
+};
+
+/// Returns the window's pixels, each of them the mean of the samples rendered for it.
+vtkSmartPointer<vtkImageData> averagedPixels(vtkRenderWindow* window, int width, int height) {
+  vtkNew<vtkUnsignedCharArray> samples;
+  window->GetPixelData(0, 0, kSamplesPerPixel * width - 1, kSamplesPerPixel * height - 1, 0, samples);
+  if (samples->GetNumberOfTuples() != kSamplesPerPixel * width * kSamplesPerPixel * height) {
+    throw ComputationError("OpenGL gave no pixels back");
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int y = 0; y < height; ++y) {
+    for (int i = 0; i < 3 * width; ++i) {
+      double sum = 0;
+      for (int sy = 0; sy < kSamplesPerPixel; ++sy) {
+        for (int sx = 0; sx < kSamplesPerPixel; ++sx) {
+          const int column = kSamplesPerPixel * (i / 3) + sx, row = kSamplesPerPixel * y + sy;
+          sum += samples->GetValue(3 * (row * kSamplesPerPixel * width + column) + i % 3);
+        }
+      }
+      *out++ = static_cast<unsigned char>(kLevelStep *
+                                          std::lround(sum / (kSamplesPerPixel * kSamplesPerPixel * kLevelStep)));
+    }
+  }
+  return image;
+}
+
+void writePng(const std::filesystem::path& file, vtkImageData* image) {
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->SetCompressionLevel(9);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  writeWholeFile(file, {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                        static_cast<std::size_t>(bytes->GetNumberOfValues())});
+}
+
+}  // namespace
+
+void renderToFile(const std::filesystem::path& file, int width, int height,
+                  const std::function<void(vtkRenderWindow*, Overlay&)>& compose) {
+  const Quiet quiet;
+  const OffscreenContext context;
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetOwnContext(0);
+  window->SetIsCurrent(true);
+  window->SetReadyForRendering(true);
+  window->SetSupportsOpenGL(1);
+  window->SetIsDirect(1);
+  window->SetMapped(1);
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(kSamplesPerPixel * width, kSamplesPerPixel * height);
+  window->SetNumberOfLayers(2);
+  window->OpenGLInitContext();
+  Overlay overlay(kSamplesPerPixel);
+  compose(window, overlay);
+  window->AddRenderer(overlay.renderer());
+  window->Render();
+  writePng(file, averagedPixels(window, width, height));
+  window->Finalize();
+}
+
+}  // namespace ease
