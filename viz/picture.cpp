@@ -29,6 +29,7 @@
 #include "viz/offscreen.h"
 #include "viz/overlay.h"
 #include "viz/poly_data.h"
+#include "viz/quiet.h"
 
 namespace ease {
 
@@ -40,18 +41,6 @@ constexpr int kGutter = 8;                         // pixels, white margin on th
 constexpr int kSamples = 2;                        // samples per pixel in each direction, to smooth edges
 constexpr double kLevelStep = 3;                   // of 255 levels; invisible, and files are a third smaller
 constexpr double kViewAngle = 16;                  // degrees, over the whole height
-
-/// Keeps VTK and its OpenGL loader from printing on the terminal during the lifetime of the object.
-class Quiet {
- public:
-  Quiet() { vtkObject::GlobalWarningDisplayOff(); }
-  ~Quiet() { vtkObject::SetGlobalWarningDisplay(before_); }
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
-
- private:
-  vtkTypeBool before_ = vtkObject::GetGlobalWarningDisplay();
-};
 
 void checkViews(const std::vector<StretchView>& views, double low, double high) {
   if (views.empty()) throw ComputationError("nothing to draw");
