@@ -31,10 +31,11 @@ MainWindow::MainWindow(Document document) {
   setCentralWidget(centre_);
   status_ = new QLabel;
   status_->setWordWrap(true);
-  status_->setMinimumHeight(2 * fontMetrics().height());
+  status_->setFixedHeight(2 * fontMetrics().height() + 2);
+  status_->setMinimumWidth(100);
   way_ = new QProgressBar;
   way_->setRange(0, 100);
-  way_->setMaximumWidth(180);
+  way_->setFixedWidth(150);
   way_->setFormat("pose %p %");
   statusBar()->addWidget(status_, 1);
   statusBar()->addPermanentWidget(way_);

@@ -2,6 +2,7 @@
 #include <QFileDialog>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScrollArea>
 #include <QSettings>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -13,7 +14,12 @@ namespace ease {
 QDockWidget* MainWindow::addDock(const QString& title, QWidget* content) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(title);
-  dock->setWidget(content);
+  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+  auto* scroll = new QScrollArea;  // so that the window may be lower than what all docks want
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  dock->setWidget(scroll);
   addDockWidget(Qt::RightDockWidgetArea, dock);
   return dock;
 }
@@ -60,7 +66,7 @@ void MainWindow::makeDocks() {
   tabifyDockWidget(report, cloth);
   tabifyDockWidget(cloth, scene);
   report->raise();
-  resizeDocks({tool, parts, poses, report}, {150, 200, 130, 240}, Qt::Vertical);
+  resizeDocks({tool, parts, poses, report}, {140, 170, 120, 250}, Qt::Vertical);
   resizeDocks({tool}, {290}, Qt::Horizontal);
 }
 
@@ -126,14 +132,15 @@ void MainWindow::makeViewMenu() {
   add(menu, "&Right", "Ctrl+4", "From the wearer's right", [this] { look(-90, 5); });
   add(menu, "Fra&me", "F", "Shows all of it, or of the garment where a part is selected", [this] { frameView(); });
   menu->addSeparator();
+  QMenu* colors = menu->addMenu("&Colour");
   shown_ = new QActionGroup(this);
-  const std::pair<const char*, Shown> kinds[] = {{"&Cloth", Shown::cloth},
+  const std::pair<const char*, Shown> kinds[] = {{"&Plain", Shown::cloth},
                                                  {"&Stretch", Shown::stretch},
-                                                 {"&Pressure", Shown::pressure},
+                                                 {"P&ressure", Shown::pressure},
                                                  {"&Ease", Shown::ease},
                                                  {"&Growth", Shown::growth}};
   for (const auto& [name, shown] : kinds) {
-    QAction* action = add(menu, QString("Colour: ") + name, "", "What the cloth's colours show", [this, shown = shown] {
+    QAction* action = add(colors, name, "", "What the cloth's colours show", [this, shown = shown] {
       view_->setShown(shown);
       other_->setShown(shown);
       studio_->simulation().wantFrame(shown == Shown::pressure || shown == Shown::ease);
@@ -211,6 +218,7 @@ void MainWindow::makeSimulationMenu() {
   bar->addSeparator();
   bar->addActions({undo_, redo_});
   bar->addSeparator();
+  bar->addWidget(new QLabel("Colour: "));
   bar->addActions(shown_->actions());
 }
 

@@ -53,7 +53,7 @@ void RegionTool::press(const Pointer& pointer) {
 }
 
 void RegionTool::addMarks(Marks& marks) const {
-  if (part_ < 0) return;
+  if (part_ < 0 || !studio_.made() || studio_.made()->loops.empty()) return;
   for (const int part : part_of_) marks.body_colors.push_back(part == part_ ? kRegionColor : LiveView::kBodyColor);
 }
 

@@ -101,7 +101,7 @@ void ViewWidget::updateMarks() {
 
 QImage ViewWidget::drawn3d(const PictureSize& size) {
   const Picture& picture = view_.draw(studio_.stage.camera, size);
-  const QImage image(picture.pixels.data(), size.width, size.height, 4 * size.width, QImage::Format_RGBA8888);
+  const QImage image(picture.pixels.data(), size.width, size.height, 4 * size.width, QImage::Format_RGBX8888);
   return image.mirrored();
 }
 
@@ -179,7 +179,7 @@ QImage ViewWidget::poseImage(int pose) {
   view_.colorBody({});
   view_.moveBody(body);
   const Picture& picture = view_.draw(camera, size);
-  const QImage image(picture.pixels.data(), size.width, size.height, 4 * size.width, QImage::Format_RGBA8888);
+  const QImage image(picture.pixels.data(), size.width, size.height, 4 * size.width, QImage::Format_RGBX8888);
   refresh();
   return image.mirrored();
 }

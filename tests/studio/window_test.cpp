@@ -34,6 +34,8 @@ class WindowTest : public QObject {
   Vec3 onBody(const Vec3& point) const;
   Vec3 onCloth(const Vec3& point) const;
   void click(const Vec3& shown, Qt::KeyboardModifiers keys = {});
+  QPoint inWindow(QPoint at) const;
+  void move(QPoint at);
   void drag(Qt::MouseButton button, QPoint from, QPoint to, Qt::KeyboardModifiers keys = {});
   void turn(double yaw_deg);
   void key(Qt::Key key, Qt::KeyboardModifiers keys = {});
@@ -89,16 +91,25 @@ void WindowTest::wait() {
 void WindowTest::click(const Vec3& shown, Qt::KeyboardModifiers keys) {
   const QPoint at = window_->view().pixelOf(shown);
   QVERIFY(window_->view().rect().contains(at));
-  QTest::mouseMove(&window_->view(), at);
-  QTest::mouseClick(&window_->view(), Qt::LeftButton, keys, at);
+  move(at);
+  QTest::mouseClick(window_->windowHandle(), Qt::LeftButton, keys, inWindow(at));
+}
+
+/// As the window system tells of the pointer, so that the view gets its events as in use.
+QPoint WindowTest::inWindow(QPoint at) const {
+  return window_->view().mapTo(window_.get(), at);
+}
+
+void WindowTest::move(QPoint at) {
+  QTest::mouseMove(window_->windowHandle(), inWindow(at));
 }
 
 void WindowTest::drag(Qt::MouseButton button, QPoint from, QPoint to, Qt::KeyboardModifiers keys) {
-  QTest::mouseMove(&window_->view(), from);
-  QTest::mousePress(&window_->view(), button, keys, from);
+  move(from);
+  QTest::mousePress(window_->windowHandle(), button, keys, inWindow(from));
   constexpr int kSteps = 8;
-  for (int k = 1; k <= kSteps; ++k) QTest::mouseMove(&window_->view(), from + (to - from) * k / kSteps);
-  QTest::mouseRelease(&window_->view(), button, keys, to);
+  for (int k = 1; k <= kSteps; ++k) move(from + (to - from) * k / kSteps);
+  QTest::mouseRelease(window_->windowHandle(), button, keys, inWindow(to));
 }
 
 /// Turns the view by a drag with the right button.
@@ -194,7 +205,7 @@ void WindowTest::loopsAreDrawnByClicks() {
   // The first three clicks of the waist, as they are shown, then the rest.
   turn(0);
   for (const Vec3& point : {Vec3(-0.13, 1.02, 0.05), Vec3(0, 1.02, 0.12)}) click(onBody(point));
-  QTest::mouseMove(&window_->view(), window_->view().pixelOf(onBody({0.1, 1.02, 0.08})));
+  move(window_->view().pixelOf(onBody({0.1, 1.02, 0.08})));
   QTest::qWait(50);
   keepPicture("2_boundary");
   click(onBody({0.13, 1.02, 0.05}));
@@ -210,7 +221,7 @@ void WindowTest::loopsAreDrawnByClicks() {
 void WindowTest::aClickMakesCloth() {
   turn(0);
   key(Qt::Key_2);
-  QTest::mouseMove(&window_->view(), window_->view().pixelOf(onBody({0, 1.2, 0.12})));
+  move(window_->view().pixelOf(onBody({0, 1.2, 0.12})));
   QTest::qWait(50);
   keepPicture("3_region");
   click(onBody({0, 1.2, 0.12}));
@@ -320,7 +331,8 @@ void WindowTest::nonsenseIsAnswered() {
   const std::string text = window_->studio().text();
   for (int tool = 0; tool < 7; ++tool) {
     key(static_cast<Qt::Key>(Qt::Key_1 + tool));
-    QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, {2, 2});
+    move({2, 2});
+    QTest::mouseClick(window_->windowHandle(), Qt::LeftButton, {}, inWindow({2, 2}));
     QVERIFY(window_->studio().isRefusal());
     QVERIFY(!window_->statusText().isEmpty());
     key(Qt::Key_Escape);
