@@ -12,7 +12,7 @@ namespace ease {
 
 namespace {
 
-constexpr double kMinOffset = 1e-3;     // m: smaller comfort offsets count as this one in the contact's stiffness
+constexpr double kMinOffset = 1e-3;  // m: smaller comfort offsets count as this one in the contact's stiffness
 
 Substeps substepsFor(const RunSettings& settings, const RunInput& input) {
   return chooseSubsteps(settings.schedule, input.body_motion, settings.comfort_offset);

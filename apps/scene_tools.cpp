@@ -85,7 +85,8 @@ bool readMaking(const TomlTable& table, bool may_be_draft, GarmentTools& tools) 
   std::set<std::string> names;
   for (const TomlTable& boundary : table.tables("boundary")) tools.boundaries.push_back(readBoundary(boundary, names));
   const auto region = table.table("region");
-  if (!region && !may_be_draft) table.refuse("region", "a table [garment.region] with a seed, since there are boundaries");
+  if (!region && !may_be_draft)
+    table.refuse("region", "a table [garment.region] with a seed, since there are boundaries");
   if (region) {
     region->allow({"seed"});
     tools.seed = readPoint(*region, "seed", "a point of the body that the boundaries enclose, [x, y, z], m");
@@ -150,7 +151,8 @@ Brush readBall(const TomlTable& table) {
 void readGarmentTools(const TomlTable& table, bool has_body, bool may_be_draft, GarmentScene& garment) {
   const bool has_loops = !table.tables("boundary").empty();
   for (const char* key : {"region", "resolution", "edge_length", "smoothing", "extension", "seam"})
-    if (!has_loops && !may_be_draft && table.has(key)) table.refuse(key, fmt::format("[[garment.boundary]] loops for '{}'", key));
+    if (!has_loops && !may_be_draft && table.has(key))
+      table.refuse(key, fmt::format("[[garment.boundary]] loops for '{}'", key));
   for (const char* key : {"boundary", "comfort"})
     if (!has_body && table.has(key)) table.refuse(key, "a [body] for it");
   for (const char* key : {"mesh", "builtin"})

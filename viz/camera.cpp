@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kDegreesPerPixel = 0.4;
-constexpr double kMaxPitch = 89.0;                       // degrees
+constexpr double kMaxPitch = 89.0;                          // degrees
 constexpr double kMinDistance = 0.05, kMaxDistance = 60.0;  // m
 
 }  // namespace

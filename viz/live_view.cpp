@@ -36,6 +36,8 @@ class Surface {
     normals_->SetNumberOfComponents(3);
     mapper_->SetColorModeToDirectScalars();
     mapper_->SetScalarModeToUseCellData();
+    mapper_->SetResolveCoincidentTopologyToPolygonOffset();  // marks on the surface are in front of it
+    mapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
     actor->SetMapper(mapper_);
     actor->GetProperty()->SetInterpolationToPhong();
     actor->GetProperty()->SetAmbient(0.35);

@@ -92,8 +92,7 @@ void OffscreenContext::makeCurrent() const {
 // The display is not terminated: EGL keeps one for the whole process, and Mesa's driver leaks memory each time it is
 // unloaded.
 OffscreenContext::~OffscreenContext() {
-  if (eglGetCurrentContext() == context_)
-    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  if (eglGetCurrentContext() == context_) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
 }
 

@@ -103,8 +103,9 @@ void BoundaryTool::press(const Pointer& pointer) {
 void BoundaryTool::drag(const Pointer& pointer) {
   if (!drags_) return;
   cursor_ = pointAt(pointer);
-  if (cursor_) handles_[selected_->boundary][selected_->point] =
-      nearestPlace(cursor_->made, studio_.stage.firstPose(), studio_.stage.bodyTriangles());
+  if (cursor_)
+    handles_[selected_->boundary][selected_->point] =
+        nearestPlace(cursor_->made, studio_.stage.firstPose(), studio_.stage.bodyTriangles());
 }
 
 void BoundaryTool::release(const Pointer& pointer) {
@@ -151,7 +152,8 @@ void BoundaryTool::remove() {
   if (!selected_ || !requests() || selected_->boundary >= static_cast<int>(requests()->size()))
     return studio_.refuse("click a point of a loop first; Del then removes it");
   std::vector<Vec3> points = (*requests())[selected_->boundary].points;
-  if (points.size() <= 3) return studio_.refuse("a loop needs three points; remove the whole loop in the list of parts");
+  if (points.size() <= 3)
+    return studio_.refuse("a loop needs three points; remove the whole loop in the list of parts");
   points.erase(points.begin() + selected_->point);
   const int boundary = selected_->boundary;
   selected_.reset();
@@ -160,8 +162,8 @@ void BoundaryTool::remove() {
 
 void BoundaryTool::close() {
   if (points_.empty()) return studio_.refuse("nothing to close: click points around the body first");
-  if (points_.size() < 3) return studio_.refuse("a loop needs at least three points; it has " +
-                                                std::to_string(points_.size()));
+  if (points_.size() < 3)
+    return studio_.refuse("a loop needs at least three points; it has " + std::to_string(points_.size()));
   std::vector<Vec3> points;
   for (const Point& point : points_) points.push_back(point.made);
   const std::string name = freeName(studio_.scene(), PartKind::boundary);
@@ -198,15 +200,16 @@ void BoundaryTool::addMarks(Marks& marks) const {
   };
   for (size_t b = 0; b < handles_.size(); ++b)
     for (size_t p = 0; p < handles_[b].size(); ++p) {
-      const bool is_selected = selected_ && selected_->boundary == static_cast<int>(b) &&
-                               selected_->point == static_cast<int>(p);
-      marks.dots.push_back({placeOn(handles_[b][p], body, studio_.stage.bodyTriangles()),
-                            is_selected ? kHoverColor : kLoopColor});
+      const bool is_selected =
+          selected_ && selected_->boundary == static_cast<int>(b) && selected_->point == static_cast<int>(p);
+      marks.dots.push_back(
+          {placeOn(handles_[b][p], body, studio_.stage.bodyTriangles()), is_selected ? kHoverColor : kLoopColor});
     }
   for (const EdgeCurve& path : paths_) line(path, kLoopColor);
   line(to_cursor_, kHoverColor);
   line(to_first_, kHoverColor);
-  for (const Point& point : points_) marks.dots.push_back({placed({{studio_.bodyPaths().point(point.node)}, false}, body).front(), kPointColor});
+  for (const Point& point : points_)
+    marks.dots.push_back({placed({{studio_.bodyPaths().point(point.node)}, false}, body).front(), kPointColor});
   if (cursor_)
     marks.dots.push_back({placed({{studio_.bodyPaths().point(cursor_->node)}, false}, body).front(), kHoverColor});
 }

@@ -44,8 +44,8 @@ class BoundaryTool : public Tool {
   void showHandles();
   void forget();
 
-  std::vector<Point> points_;      // of the loop that is being drawn
-  std::vector<EdgeCurve> paths_;   // from each point to the next
+  std::vector<Point> points_;     // of the loop that is being drawn
+  std::vector<EdgeCurve> paths_;  // from each point to the next
   std::optional<Point> cursor_;
   EdgeCurve to_cursor_, to_first_;
   std::optional<Handle> selected_;

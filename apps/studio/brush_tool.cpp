@@ -22,9 +22,11 @@ Rgb mixed(const Rgb& a, const Rgb& b, double share) {
 std::string BrushTool::hint() const {
   const ToolSettings& set = studio_.settings;
   if (kind_ == PartKind::paint)
-    return fmt::format("Drag over the cloth: {:.2f} times as much; Shift: as much less. [ and ] change the radius", set.scale);
-  return fmt::format("Drag over the cloth: at least {:.0f} mm from the body; Shift: back to {:.0f} mm. [ ] change the radius",
-                     1000 * set.offset, 1000 * generalOffset());
+    return fmt::format("Drag over the cloth: {:.2f} times as much; Shift: as much less. [ and ] change the radius",
+                       set.scale);
+  return fmt::format(
+      "Drag over the cloth: at least {:.0f} mm from the body; Shift: back to {:.0f} mm. [ ] change the radius",
+      1000 * set.offset, 1000 * generalOffset());
 }
 
 double BrushTool::value() const {
@@ -54,7 +56,8 @@ void BrushTool::release(const Pointer&) {
   const std::vector<Vec3> stroke = std::exchange(stroke_, {});
   const double radius = studio_.settings.radius;
   const auto with = [&](const std::string& text, const std::vector<Vec3>& points) {
-    return kind_ == PartKind::paint ? withPaint(text, points, radius, value()) : withComfort(text, points, radius, value());
+    return kind_ == PartKind::paint ? withPaint(text, points, radius, value())
+                                    : withComfort(text, points, radius, value());
   };
   std::string text = with(studio_.text(), stroke);
   if (studio_.settings.mirror) text = with(text, mirrored(stroke));

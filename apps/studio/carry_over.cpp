@@ -94,8 +94,7 @@ CarriedCloth carryOver(const TriangleMesh& made, const Positions& now, const Pos
     if (is_tied[v] || nearest[v] < 0) continue;
     auto found = motions.find(nearest[v]);
     if (found == motions.end())
-      found =
-          motions.emplace(nearest[v], motionAround(nearest[v], wanted.positions, carried.positions, is_tied)).first;
+      found = motions.emplace(nearest[v], motionAround(nearest[v], wanted.positions, carried.positions, is_tied)).first;
     const Motion& motion = found->second;
     carried.positions.row(v) = motion.turn * (Vec3(wanted.positions.row(v)) - motion.from) + motion.to;
   }

@@ -1,8 +1,8 @@
 // Takes the state of a garment over to another mesh of it: a longer skirt, another resolution, one boundary more.
 //
 // Both meshes are made on the same pose.  A new vertex within kSamePlace of the old mesh there is tied to it, and goes
-// where the old cloth is now.  Any other (the new part of a skirt) moves as rigidly as the cloth around the nearest tied
-// vertex did (Kabsch 1976).
+// where the old cloth is now.  Any other (the new part of a skirt) moves as rigidly as the cloth around the nearest
+// tied vertex did (Kabsch 1976).
 #pragma once
 
 #include <vector>
@@ -19,8 +19,8 @@ struct CarriedCloth {
 
 constexpr double kSamePlace = 0.02;  // m
 
-/// `made`, `now`, `velocities`: the old mesh as it was made, and its state.  `area_ratio`: rest area over first rest area
-/// of every old triangle.
+/// `made`, `now`, `velocities`: the old mesh as it was made, and its state.  `area_ratio`: rest area over first rest
+/// area of every old triangle.
 CarriedCloth carryOver(const TriangleMesh& made, const Positions& now, const Positions& velocities,
                        const std::vector<double>& area_ratio, const TriangleMesh& wanted, const Topology& topology);
 

@@ -84,6 +84,10 @@ void Document::readAgain() {
 }
 
 void Document::apply(const std::string& text, const std::string& gesture) {
+  if (text == this->text())
+    throw InputError(
+        "nothing would change: perhaps the scene writes this part as an inline table { ... }; write it as tables "
+        "[[garment...]] to edit it here");
   readDraft(text, file_);
   history_.resize(now_ + 1);
   history_.push_back({text, gesture});

@@ -1,6 +1,6 @@
 // The scene that is being edited: its text, with undo, and the file that it is saved to.
 //
-// Every gesture is a new text, which is read as any scene; one that cannot be read is refused and changes nothing.  What
+// Every gesture is a new text, which is read as any scene; one that cannot be read is refused and changes nothing. What
 // is not saved yet lies in FILE~, which is read again after a crash.
 #pragma once
 
@@ -15,8 +15,8 @@ namespace ease {
 
 class Document {
  public:
-  /// Begins with this text.  `file`: what it is saved to, and what its file names are relative to.  Throws InputError if
-  /// it is no scene, nor a draft of one.
+  /// Begins with this text.  `file`: what it is saved to, and what its file names are relative to.  Throws InputError
+  /// if it is no scene, nor a draft of one.
   Document(std::string text, std::filesystem::path file);
   /// Reads a file, or, if a crash left newer unsaved work beside it, that.
   static Document open(const std::filesystem::path& file);

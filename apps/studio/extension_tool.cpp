@@ -12,9 +12,9 @@ namespace ease {
 
 namespace {
 
-constexpr double kLeastPull = 4.0;          // pixels: less is a click
-constexpr double kMinLength = 0.01;         // m
-constexpr double kPixelsForTwice = 240.0;   // across the axis: twice as wide
+constexpr double kLeastPull = 4.0;         // pixels: less is a click
+constexpr double kMinLength = 0.01;        // m
+constexpr double kPixelsForTwice = 240.0;  // across the axis: twice as wide
 
 }  // namespace
 
@@ -100,8 +100,9 @@ void ExtensionTool::release(const Pointer&) {
     return;
   }
   const std::string name = studio_.stage.made().edges[drag.loop].name;
-  studio_.gesture(withExtension(studio_.text(), drag.number, name, length, std::clamp(drag.scale * drag.wider, 0.1, 20.0)),
-                  "extend '" + name + "'");
+  studio_.gesture(
+      withExtension(studio_.text(), drag.number, name, length, std::clamp(drag.scale * drag.wider, 0.1, 20.0)),
+      "extend '" + name + "'");
 }
 
 std::vector<Vec3> ExtensionTool::pulledLoop() const {
@@ -115,14 +116,15 @@ void ExtensionTool::addMarks(Marks& marks) const {
   if (!studio_.stage.hasCloth()) return;
   if (!drag_) {
     if (hovered_ >= 0 && hovered_ < static_cast<int>(studio_.stage.made().edges.size()))
-      marks.lines.push_back({positionsOf(studio_.stage.made().edges[hovered_].vertices, studio_.stage.cloth()), true,
-                             kHoverColor, 6.0});
+      marks.lines.push_back(
+          {positionsOf(studio_.stage.made().edges[hovered_].vertices, studio_.stage.cloth()), true, kHoverColor, 6.0});
     return;
   }
   const std::vector<Vec3> pulled = pulledLoop();
   marks.lines.push_back({pulled, true, kHoverColor, 4.0});
   const size_t every = std::max<size_t>(1, pulled.size() / 24);
-  for (size_t i = 0; i < pulled.size(); i += every) marks.lines.push_back({{drag_->points[i], pulled[i]}, false, kHoverColor, 2.0});
+  for (size_t i = 0; i < pulled.size(); i += every)
+    marks.lines.push_back({{drag_->points[i], pulled[i]}, false, kHoverColor, 2.0});
 }
 
 }  // namespace ease

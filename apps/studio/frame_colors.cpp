@@ -4,13 +4,15 @@
 
 #include <cmath>
 
+#include "garment/pieces.h"
+
 namespace ease {
 
 namespace {
 
 constexpr double kMaxPressure = 2000.0;  // Pa: about what a tight waistband presses with
 constexpr double kMaxEase = 50.0;        // mm
-constexpr double kMostGrowth = 1.5;       // area over area
+constexpr double kMostGrowth = 1.5;      // area over area
 constexpr double kUsualLimit = 0.1;
 
 double limitOf(const Scene& scene) {
@@ -20,6 +22,17 @@ double limitOf(const Scene& scene) {
 /// Mean of the triangle's corners.
 double meanAt(const std::vector<double>& values, const Triangles& triangles, int t) {
   return (values[triangles(t, 0)] + values[triangles(t, 1)] + values[triangles(t, 2)]) / 3.0;
+}
+
+/// Colours of the pieces into which the seams cut the garment; the colour-blind can tell neighbours apart.
+std::vector<Rgb> pieceColors(const LiveFrame& frame) {
+  static const Rgb kPieces[] = {{86, 180, 233}, {230, 159, 0},   {0, 158, 115},
+                                {240, 228, 66}, {204, 121, 167}, {0, 114, 178}};
+  std::vector<Rgb> colors;
+  if (!frame.made->input.authored) return colors;
+  for (const int piece : cutIntoPieces(frame.made->input.garment, frame.made->input.authored->seams).piece)
+    colors.push_back(kPieces[piece % std::size(kPieces)]);
+  return colors;
 }
 
 }  // namespace
@@ -41,6 +54,7 @@ ShownScale scaleOf(Shown shown, const Scene& scene) {
 
 std::vector<Rgb> frameColors(Shown shown, const LiveFrame& frame) {
   std::vector<Rgb> colors;
+  if (shown == Shown::pieces) return pieceColors(frame);
   if (shown == Shown::cloth) return colors;
   const ColorScale scale = scaleOf(shown, frame.made->scene).scale;
   const Triangles& triangles = frame.made->input.garment.triangles;
@@ -67,8 +81,8 @@ std::vector<Rgb> frameColors(Shown shown, const LiveFrame& frame) {
 }
 
 std::string wordsOf(const LiveFrame& frame, int t) {
-  std::string words = fmt::format("stretch {:.3f} and {:.3f}, area {:.2f} of the first", frame.stretch[t].sigma_1,
-                                  frame.stretch[t].sigma_2, frame.growth[t]);
+  std::string words = fmt::format("Under the pointer: stretch {:.3f} and {:.3f}, area {:.2f} of the first",
+                                  frame.stretch[t].sigma_1, frame.stretch[t].sigma_2, frame.growth[t]);
   const Triangles& triangles = frame.made->input.garment.triangles;
   if (!frame.gap.empty()) words += fmt::format(", ease {:.0f} mm", 1000.0 * meanAt(frame.gap, triangles, t));
   if (!frame.pressure.empty()) words += fmt::format(", pressure {:.0f} Pa", meanAt(frame.pressure, triangles, t));

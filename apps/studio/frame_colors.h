@@ -1,4 +1,5 @@
-// Colours of the cloth by what the simulation measured.  Ranges are fixed: they depend on the scene, never on the frame.
+// Colours of the cloth by what the simulation measured.  Ranges are fixed: they depend on the scene, never on the
+// frame.
 #pragma once
 
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace ease {
 
-enum class Shown { cloth, stretch, pressure, ease, growth };
+/// `pieces`: which piece of the sewing pattern a triangle belongs to, as the seams cut.
+enum class Shown { cloth, stretch, pressure, ease, growth, pieces };
 
 /// A scale with what it stands for.
 struct ShownScale {
@@ -18,7 +20,12 @@ struct ShownScale {
   bool has_limit;
 };
 
-/// Requires another value than `cloth`.
+/// Whether it is a quantity, which has a scale.
+inline bool hasScale(Shown shown) {
+  return shown != Shown::cloth && shown != Shown::pieces;
+}
+
+/// Requires a quantity.
 ShownScale scaleOf(Shown shown, const Scene& scene);
 
 /// One colour a triangle; empty: the cloth's own, or nothing was measured.

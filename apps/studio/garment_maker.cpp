@@ -28,7 +28,8 @@ std::vector<BoundaryLoop> draftLoops(const Scene& scene, const SceneInput& body,
   for (const LoopRequest& request : tools.boundaries) {
     loops.push_back({request.name, {}});
     bool is_known = false;
-    const bool comparable = last && last->scene.garment.tools && last->scene.garment.tools->smoothing == tools.smoothing &&
+    const bool comparable = last && last->scene.garment.tools &&
+                            last->scene.garment.tools->smoothing == tools.smoothing &&
                             last->loops.size() == last->scene.garment.tools->boundaries.size();
     for (size_t k = 0; comparable && k < last->loops.size() && !is_known; ++k) {
       if (!same(request, last->scene.garment.tools->boundaries[k])) continue;

@@ -1,5 +1,5 @@
-// Makes the garment of a scene that is being edited, as `ease garment` would, and keeps what an edit has not changed: the
-// body's poses always, the mesh where only paint or pins differ.
+// Makes the garment of a scene that is being edited, as `ease garment` would, and keeps what an edit has not changed:
+// the body's poses always, the mesh where only paint or pins differ.
 #pragma once
 
 #include <memory>

@@ -210,8 +210,8 @@ std::string LiveRun::changeMesh(const MadeGarment& before) {
   for (int t = 0; t < cloth_->triangleCount(); ++t)
     ratio[t] = cloth_->restAreas()[t] / (0.5 * cloth_->first().edges[t].determinant());
   const TriangleMesh& mesh = made_->input.garment;
-  const CarriedCloth carried = carryOver(before.input.garment, state_.positions, state_.velocities, ratio, mesh,
-                                         buildTopology(mesh, "garment"));
+  const CarriedCloth carried =
+      carryOver(before.input.garment, state_.positions, state_.velocities, ratio, mesh, buildTopology(mesh, "garment"));
   if (carried.tied < kEnoughTied * static_cast<double>(mesh.positions.rows())) {
     startOver();
     return "another garment: started over on the first pose";

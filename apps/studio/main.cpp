@@ -22,8 +22,8 @@ int main(int argc, char** argv) {
   try {
     const bool is_new = arguments.size() < 2;
     const std::filesystem::path file = is_new ? "studio.toml" : arguments[1].toStdString();
-    ease::Document document = is_new && !std::filesystem::exists(file) ? ease::Document::builtin(file)
-                                                                       : ease::Document::open(file);
+    ease::Document document =
+        is_new && !std::filesystem::exists(file) ? ease::Document::builtin(file) : ease::Document::open(file);
     auto* window = new ease::MainWindow(std::move(document));
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->show();

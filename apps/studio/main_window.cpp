@@ -6,9 +6,9 @@
 #include <QMessageBox>
 #include <QSettings>
 #include <QStatusBar>
-#include <QTextBlock>
 #include <algorithm>
 
+#include "apps/studio/report_text.h"
 #include "solver/base/error.h"
 
 namespace ease {
@@ -52,6 +52,7 @@ MainWindow::MainWindow(Document document) {
     sync();
   };
   connect(view_, &ViewWidget::used, this, used);
+  connect(view_, &ViewWidget::pointedAt, this, [this](const QString& words) { under_->setText(words); });
   connect(view_, &ViewWidget::cameraChanged, this, [this] { other_->refresh(); });
   connect(other_, &ViewWidget::cameraChanged, this, [this] { view_->refresh(); });
   connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
@@ -102,7 +103,7 @@ void MainWindow::tick() {
   frames_per_s_ = static_cast<double>(drawn - drawn_before_) / seconds;
   steps_before_ = made;
   drawn_before_ = drawn;
-  showReport();
+  report_->setText(studio_->frame() ? reportText(*studio_->frame(), steps_per_s_, frames_per_s_) : "No garment yet.");
 }
 
 void MainWindow::sync() {
@@ -110,7 +111,7 @@ void MainWindow::sync() {
     text_revision_ = studio_->textRevision();
     parts_->list();
     cloth_panel_->showScene();
-    showText();
+    scene_text_->show(QString::fromStdString(studio_->text()));
     showTitle();
   }
   if (mesh_revision_ != studio_->meshRevision()) {
@@ -123,49 +124,6 @@ void MainWindow::sync() {
   undo_->setEnabled(studio_->document().canUndo());
   redo_->setEnabled(studio_->document().canRedo());
   showStatus();
-}
-
-/// The scene's text, with the lines that changed last marked.
-void MainWindow::showText() {
-  const QString text = QString::fromStdString(studio_->text());
-  const QStringList now = text.split('\n'), before = shown_scene_text_.split('\n');
-  shown_scene_text_ = text;
-  int first = 0, last = 0;
-  while (first < std::min(now.size(), before.size()) && now[first] == before[first]) ++first;
-  while (last < std::min(now.size(), before.size()) - first &&
-         now[now.size() - 1 - last] == before[before.size() - 1 - last])
-    ++last;
-  scene_text_->setPlainText(text);
-  QTextCursor cursor(scene_text_->document()->findBlockByNumber(first));
-  QTextEdit::ExtraSelection changed;
-  changed.cursor = cursor;
-  for (int line = first + 1; line < now.size() - last; ++line) changed.cursor.movePosition(QTextCursor::NextBlock, QTextCursor::KeepAnchor);
-  changed.cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
-  changed.format.setBackground(QColor(255, 240, 190));
-  if (before.size() > 1 && first < now.size() - last) scene_text_->setExtraSelections({changed});
-  else scene_text_->setExtraSelections({});
-  scene_text_->setTextCursor(cursor);
-}
-
-void MainWindow::showReport() {
-  const LiveFrame* frame = studio_->frame();
-  if (!frame) return report_->setText("No garment yet.");
-  const auto row = [](const QString& name, const QString& value) {
-    return "<tr><td>" + name + "&nbsp;&nbsp;</td><td align=right>" + value + "</td></tr>";
-  };
-  const auto number = [](double x, int decimals) { return QString::number(x, 'f', decimals); };
-  const double limit = studio_->scene().adaption ? studio_->scene().adaption->limit : AdaptionScene().limit;
-  QString text = "<table>";
-  text += row("Vertices", QString::number(frame->garment.rows()));
-  text += row("Simulated time", number(frame->time_s, 2) + " s");
-  text += row("Time steps", number(steps_per_s_, 0) + " /s");
-  text += row("Pictures", number(frames_per_s_, 0) + " /s");
-  text += row("Stretch, largest", number(frame->statistics.max, 3));
-  text += row("Stretch, 99 % below", number(frame->statistics.p99, 3));
-  text += row("Over " + number(1.0 + limit, 2), number(100.0 * frame->statistics.share_over_limit, 2) + " %");
-  text += row("Deepest in the body", number(1000.0 * frame->deepest, 1) + " mm");
-  text += row("Let out", QString::number(frame->adaptions) + " times");
-  report_->setText(text + "</table>");
 }
 
 void MainWindow::showStatus() {
@@ -237,9 +195,8 @@ bool MainWindow::save() {
 }
 
 void MainWindow::saveAs() {
-  const QString file = QFileDialog::getSaveFileName(this, "Save the scene as",
-                                                    QString::fromStdString(studio_->document().file().string()),
-                                                    "Scenes (*.toml)");
+  const QString file = QFileDialog::getSaveFileName(
+      this, "Save the scene as", QString::fromStdString(studio_->document().file().string()), "Scenes (*.toml)");
   if (file.isEmpty()) return;
   try {
     studio_->document().saveAs(file.toStdString());

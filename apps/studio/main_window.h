@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMainWindow>
-#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QTimer>
 #include <memory>
@@ -15,6 +14,7 @@
 #include "apps/studio/cloth_panel.h"
 #include "apps/studio/parts_tree.h"
 #include "apps/studio/run_dialog.h"
+#include "apps/studio/scene_panel.h"
 #include "apps/studio/tool_panel.h"
 #include "apps/studio/view_widget.h"
 
@@ -55,9 +55,8 @@ class MainWindow : public QMainWindow {
   void makeToolBar();
   void makeSimulationMenu();
   void makeSettingsMenu();
-  QAction* add(QMenu* menu, const QString& text, const QString& keys, const QString& tip, const std::function<void()>& act);
-  void showText();
-  void showReport();
+  QAction* add(QMenu* menu, const QString& text, const QString& keys, const QString& tip,
+               const std::function<void()>& act);
   void showStatus();
   void showTitle();
   void showPoses();
@@ -79,14 +78,14 @@ class MainWindow : public QMainWindow {
   ClothPanel* cloth_panel_ = nullptr;
   PartsTree* parts_ = nullptr;
   QListWidget* poses_ = nullptr;
-  QLabel *report_ = nullptr, *status_ = nullptr;
-  QPlainTextEdit* scene_text_ = nullptr;
+  QLabel *report_ = nullptr, *under_ = nullptr, *status_ = nullptr;
+  ScenePanel* scene_text_ = nullptr;
   QProgressBar* way_ = nullptr;
   QActionGroup *tools_ = nullptr, *shown_ = nullptr;
   QAction *play_ = nullptr, *adapt_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
   QTimer timer_;
   QElapsedTimer clock_, since_frame_;
-  QString status_text_, shown_scene_text_;
+  QString status_text_;
   int text_revision_ = -1, mesh_revision_ = -1;
   bool waits_for_frame_ = false;
   double steps_per_s_ = 0.0;

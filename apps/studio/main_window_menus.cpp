@@ -37,7 +37,7 @@ void MainWindow::makeDocks() {
   connect(parts_, &PartsTree::selectionMade, this, [this] { view_->setSelected(parts_->selected()); });
   poses_ = new QListWidget;
   poses_->setViewMode(QListView::IconMode);
-  poses_->setIconSize({72, 84});
+  poses_->setIconSize({60, 70});
   poses_->setMovement(QListView::Static);
   poses_->setResizeMode(QListView::Adjust);
   poses_->setToolTip("Click a pose: the body goes there from where it is");
@@ -47,26 +47,30 @@ void MainWindow::makeDocks() {
     sync();
   });
   report_ = new QLabel;
-  report_->setMargin(8);
-  report_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  report_->setMargin(4);
+  under_ = new QLabel;
+  under_->setMargin(4);
+  under_->setWordWrap(true);
+  under_->setToolTip("What was measured under the pointer");
+  auto* measured = new QWidget;
+  auto* rows = new QVBoxLayout(measured);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addWidget(report_);
+  rows->addWidget(under_);
+  rows->addStretch();
   cloth_panel_ = new ClothPanel(*studio_);
   connect(cloth_panel_, &ClothPanel::used, this, [this] { sync(); });
-  scene_text_ = new QPlainTextEdit;
-  scene_text_->setReadOnly(true);
-  scene_text_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  QFont mono("monospace");
-  mono.setStyleHint(QFont::TypeWriter);
-  scene_text_->setFont(mono);
+  scene_text_ = new ScenePanel;
   QDockWidget* tool = addDock("Tool", tool_panel_);
   QDockWidget* parts = addDock("Garment", parts_);
   QDockWidget* poses = addDock("Poses", poses_);
-  QDockWidget* report = addDock("Report", report_);
+  QDockWidget* report = addDock("Report", measured);
   QDockWidget* cloth = addDock("Cloth", cloth_panel_);
   QDockWidget* scene = addDock("Scene", scene_text_);
   tabifyDockWidget(report, cloth);
   tabifyDockWidget(cloth, scene);
   report->raise();
-  resizeDocks({tool, parts, poses, report}, {140, 170, 120, 250}, Qt::Vertical);
+  resizeDocks({tool, parts, poses, report}, {140, 160, 125, 260}, Qt::Vertical);
   resizeDocks({tool}, {290}, Qt::Horizontal);
 }
 
@@ -116,7 +120,8 @@ void MainWindow::makeEditMenu() {
   undo_ = add(menu, "&Undo", "Ctrl+Z", "Takes the last gesture back", [this] { studio_->undo(); });
   redo_ = add(menu, "&Redo", "Ctrl+Shift+Z Ctrl+Y", "Does it again", [this] { studio_->redo(); });
   menu->addSeparator();
-  add(menu, "&Close the line", "", "Closes the boundary or seam that is being drawn (Enter)", [this] { tool_->finish(); });
+  add(menu, "&Close the line", "", "Closes the boundary or seam that is being drawn (Enter)",
+      [this] { tool_->finish(); });
   add(menu, "&Drop the gesture", "", "Forgets what is being drawn (Esc)", [this] { tool_->cancel(); });
   menu->addSeparator();
   add(menu, "Re&name part", "F2", "Renames the selected boundary or seam wherever it is named",
@@ -134,11 +139,9 @@ void MainWindow::makeViewMenu() {
   menu->addSeparator();
   QMenu* colors = menu->addMenu("&Colour");
   shown_ = new QActionGroup(this);
-  const std::pair<const char*, Shown> kinds[] = {{"&Plain", Shown::cloth},
-                                                 {"&Stretch", Shown::stretch},
-                                                 {"P&ressure", Shown::pressure},
-                                                 {"&Ease", Shown::ease},
-                                                 {"&Growth", Shown::growth}};
+  const std::pair<const char*, Shown> kinds[] = {{"&Plain", Shown::cloth},       {"&Stretch", Shown::stretch},
+                                                 {"P&ressure", Shown::pressure}, {"&Ease", Shown::ease},
+                                                 {"&Growth", Shown::growth},     {"P&ieces", Shown::pieces}};
   for (const auto& [name, shown] : kinds) {
     QAction* action = add(colors, name, "", "What the cloth's colours show", [this, shown = shown] {
       view_->setShown(shown);
@@ -247,13 +250,14 @@ void MainWindow::makeSettingsMenu() {
   }
   QMenu* help = menuBar()->addMenu("&Help");
   add(help, "&Mouse and keys", "F1", "What the mouse and the keys do", [this] {
-    QMessageBox::information(this, "Mouse and keys",
-                             "Left button: the tool.  Right drag: turn.  Middle drag: move.  Wheel: zoom.\n"
-                             "Alt+left: turn, Alt+Shift+left: move.\n"
-                             "Ctrl+wheel or [ ]: size of the brush.  Shift+wheel: strength.  Shift+drag: the opposite.\n"
-                             "1 to 7: tools.  Space: play or pause.  . : one step.  A: let out.  M: mirror.\n"
-                             "Enter closes a line, Backspace takes a point back, Esc drops it, Del removes.\n"
-                             "Ctrl+Z, Ctrl+Shift+Z: undo, redo.  Ctrl+1 to 4: front, back, left, right.  F: frame.");
+    QMessageBox::information(
+        this, "Mouse and keys",
+        "Left button: the tool.  Right drag: turn.  Middle drag: move.  Wheel: zoom.\n"
+        "Alt+left: turn, Alt+Shift+left: move.\n"
+        "Ctrl+wheel or [ ]: size of the brush.  Shift+wheel: strength.  Shift+drag: the opposite.\n"
+        "1 to 7: tools.  Space: play or pause.  . : one step.  A: let out.  M: mirror.\n"
+        "Enter closes a line, Backspace takes a point back, Esc drops it, Del removes.\n"
+        "Ctrl+Z, Ctrl+Shift+Z: undo, redo.  Ctrl+1 to 4: front, back, left, right.  F: frame.");
   });
 }
 

@@ -154,8 +154,7 @@ std::string renamed(const std::string& text, const Scene& scene, const Part& par
   const auto rename = [&](PartKind kind, size_t k, const char* key, const std::string& loop) {
     if (loop == part.label) edited.setValue(pathOf(kind), static_cast<int>(k), key, tomlText(name));
   };
-  for (size_t k = 0; k < tools.extensions.size(); ++k)
-    rename(PartKind::extension, k, "loop", tools.extensions[k].loop);
+  for (size_t k = 0; k < tools.extensions.size(); ++k) rename(PartKind::extension, k, "loop", tools.extensions[k].loop);
   for (size_t k = 0; k < scene.garment.pins.size(); ++k)
     if (const auto* loop = std::get_if<std::string>(&scene.garment.pins[k].what))
       rename(PartKind::pin, k, "loop", *loop);

@@ -48,8 +48,8 @@ std::string without(const std::string& text, const Part& part);
 /// Renames a boundary wherever it is named, or a seam.
 std::string renamed(const std::string& text, const Scene& scene, const Part& part, const std::string& name);
 
-/// The texts of two scenes make the same mesh: they differ at most in paint, pins, comfort and tables that do not belong
-/// to garment or body.
+/// The texts of two scenes make the same mesh: they differ at most in paint, pins, comfort and tables that do not
+/// belong to garment or body.
 std::string meshKey(const std::string& text);
 
 }  // namespace ease

@@ -34,7 +34,8 @@ void PartsTree::list() {
       if (part.kind != static_cast<PartKind>(kind)) continue;
       auto* item = new QTreeWidgetItem(group, {QString::fromStdString(part.label)});
       item->setData(0, kNumber, static_cast<int>(k));
-      if (part.kind == PartKind::boundary || part.kind == PartKind::seam) item->setFlags(item->flags() | Qt::ItemIsEditable);
+      if (part.kind == PartKind::boundary || part.kind == PartKind::seam)
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
       if (before && part == *before) item->setSelected(true);
     }
     group->setHidden(group->childCount() == 0);

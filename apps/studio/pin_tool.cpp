@@ -56,8 +56,8 @@ void PinTool::press(const Pointer& pointer) {
 void PinTool::addMarks(Marks& marks) const {
   if (!studio_.stage.hasCloth()) return;
   if (loop_ && loop_->loop < static_cast<int>(studio_.stage.made().edges.size()))
-    marks.lines.push_back({positionsOf(studio_.stage.made().edges[loop_->loop].vertices, studio_.stage.cloth()), true,
-                           kPinColor, 6.0});
+    marks.lines.push_back(
+        {positionsOf(studio_.stage.made().edges[loop_->loop].vertices, studio_.stage.cloth()), true, kPinColor, 6.0});
   if (cursor_) marks.lines.push_back(ringAround(cursor_->at, cursor_->normal, studio_.settings.radius, kPinColor));
 }
 

@@ -47,8 +47,7 @@ void RegionTool::hover(const Pointer& pointer) {
 void RegionTool::press(const Pointer& pointer) {
   const std::optional<Hit> hit = studio_.stage.hitBody(pointer.x, pointer.y);
   if (!hit) return studio_.refuse("that is not on the body: click the part of the body that becomes cloth");
-  if (!studio_.scene().garment.tools)
-    return studio_.refuse("draw boundaries first (tool 1): the cloth ends there");
+  if (!studio_.scene().garment.tools) return studio_.refuse("draw boundaries first (tool 1): the cloth ends there");
   studio_.gesture(withRegion(studio_.text(), hit->made), "region");
 }
 

@@ -39,7 +39,8 @@ RunDialog::RunDialog(const QString& scene, const QString& directory, QWidget* pa
   connect(button_, &QPushButton::clicked, this, [this] { isRunning() ? interrupt() : accept(); });
   process_.setProcessChannelMode(QProcess::MergedChannels);
   connect(&process_, &QProcess::readyRead, this, [this] { readProgress(); });
-  connect(&process_, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this, [this](int code) { finish(code); });
+  connect(&process_, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this,
+          [this](int code) { finish(code); });
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error != QProcess::FailedToStart) return;
     said_ = "the program '" + program() + "' cannot be started";
@@ -103,8 +104,8 @@ void RunDialog::showResult() {
   text_->setText(text);
   const QPixmap stretch(directory_ + "/stretch.png");
   if (!stretch.isNull())
-    picture_->setPixmap(stretch.scaled(int(960 * devicePixelRatioF()), int(600 * devicePixelRatioF()), Qt::KeepAspectRatio,
-                                       Qt::SmoothTransformation));
+    picture_->setPixmap(stretch.scaled(int(960 * devicePixelRatioF()), int(600 * devicePixelRatioF()),
+                                       Qt::KeepAspectRatio, Qt::SmoothTransformation));
   adjustSize();
 }
 

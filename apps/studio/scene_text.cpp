@@ -199,7 +199,8 @@ void SceneText::removeEntry(const std::string& path, int k) {
   const Section* section = find(path, k);
   if (!section) return;
   int first = section->first, last = section->content_end;
-  for (const Section* next = section + 1; next < sections_.data() + sections_.size() && isBelow(next->path, path); ++next)
+  for (const Section* next = section + 1; next < sections_.data() + sections_.size() && isBelow(next->path, path);
+       ++next)
     last = next->content_end;
   const auto isBlank = [&](int line) { return lines_[line].find_first_not_of(" \t\r\n") == std::string::npos; };
   if (first > 0 && isBlank(first - 1)) --first;

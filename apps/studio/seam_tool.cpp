@@ -90,8 +90,8 @@ void SeamTool::forget() {
 void SeamTool::addMarks(Marks& marks) const {
   if (!studio_.stage.hasCloth()) return;
   if (loop_ && loop_->loop < static_cast<int>(studio_.stage.made().edges.size()))
-    marks.lines.push_back({positionsOf(studio_.stage.made().edges[loop_->loop].vertices, studio_.stage.cloth()), true,
-                           kSeamColor, 6.0});
+    marks.lines.push_back(
+        {positionsOf(studio_.stage.made().edges[loop_->loop].vertices, studio_.stage.cloth()), true, kSeamColor, 6.0});
   if (of_ && of_->input.garment.triangles != studio_.stage.clothAsMade().triangles) return;
   std::vector<Vec3> line;
   if (!from_.empty()) line.push_back(from_at_);

@@ -27,8 +27,8 @@ class SeamTool : public Tool {
   void end(const std::string& to);
   void forget();
 
-  std::string from_;    // loop that it begins at; empty: closed
-  Vec3 from_at_;        // where it was clicked, as shown, m
+  std::string from_;  // loop that it begins at; empty: closed
+  Vec3 from_at_;      // where it was clicked, as shown, m
   std::vector<Point> points_;
   std::optional<LoopHit> loop_;
   std::optional<Hit> cursor_;

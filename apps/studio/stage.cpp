@@ -42,8 +42,8 @@ SurfacePlace nearestPlace(const Vec3& point, const Positions& positions, const T
   const TriangleTree tree(positions, triangles);
   const ClosestPoint closest = tree.closest(point, kNone);
   const auto corners = triangles.row(closest.triangle);
-  return {closest.triangle, weightsOf(closest.point, positions.row(corners[0]), positions.row(corners[1]),
-                                      positions.row(corners[2]))};
+  return {closest.triangle,
+          weightsOf(closest.point, positions.row(corners[0]), positions.row(corners[1]), positions.row(corners[2]))};
 }
 
 std::pair<SurfacePlace, double> firstHit(const Ray& ray, const Positions& positions, const Triangles& triangles) {
@@ -61,8 +61,7 @@ std::pair<SurfacePlace, double> firstHit(const Ray& ray, const Positions& positi
     const double wc = ray.direction.dot(q) / determinant;
     if (wc < 0.0 || wb + wc > 1.0) continue;
     const double distance = ac.dot(q) / determinant;
-    if (distance > 0.0 && distance < found.second)
-      found = {{static_cast<int>(t), {1.0 - wb - wc, wb, wc}}, distance};
+    if (distance > 0.0 && distance < found.second) found = {{static_cast<int>(t), {1.0 - wb - wc, wb, wc}}, distance};
   }
   return found;
 }

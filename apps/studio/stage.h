@@ -1,7 +1,7 @@
 // What is on show: body and cloth where they are now, the camera, and what lies under the pointer.
 //
-// A place on a surface is a triangle with barycentric weights.  So a click in any pose, and on moving cloth, is known on
-// the first pose and on the garment as it was made, where the tools work.
+// A place on a surface is a triangle with barycentric weights.  So a click in any pose, and on moving cloth, is known
+// on the first pose and on the garment as it was made, where the tools work.
 #pragma once
 
 #include <memory>

@@ -23,8 +23,8 @@ std::string shortened(std::string message, const std::filesystem::path& file) {
 Studio::Studio(Document document, std::function<void()> on_news)
     : on_news_(std::move(on_news)), document_(std::move(document)) {
   if (!scene().body)
-    throw InputError(fmt::format("{}: has no [body]: expected one, which the garment is made on",
-                                 document_.file().string()));
+    throw InputError(
+        fmt::format("{}: has no [body]: expected one, which the garment is made on", document_.file().string()));
   body_ = readBodyInput(scene());
   body_mesh_ = {body_.poses.front(), body_.body_triangles};
   body_topology_ = buildTopology(body_mesh_, "body");
@@ -129,7 +129,8 @@ void Studio::showMade() {
     frame_.reset();
     stage.removeCloth();
     stage.moveBody(body_.poses[pose_]);
-    if (!is_refusal_ && words_.size() > 4 && words_.substr(words_.size() - 4) == " ...") words_.resize(words_.size() - 4);
+    if (!is_refusal_ && words_.size() > 4 && words_.substr(words_.size() - 4) == " ...")
+      words_.resize(words_.size() - 4);
     return;
   }
   simulation_->post([made = made_, adapts = adapts_, pose = pose_](std::unique_ptr<LiveRun>& run) {
@@ -180,7 +181,8 @@ void Studio::finishWork() {
 }
 
 void Studio::play(bool plays) {
-  if (plays && (!made_ || !made_->hasGarment())) return refuse("there is no garment yet: draw boundaries, then click a region");
+  if (plays && (!made_ || !made_->hasGarment()))
+    return refuse("there is no garment yet: draw boundaries, then click a region");
   simulation_->play(plays);
   say(plays ? "simulating; Space pauses" : "paused");
 }

@@ -66,7 +66,7 @@ class Studio {
 
   /// Takes what the other threads have finished.  Returns whether there is something new to show.
   bool poll();
-  /// Waits until the garment is made and the simulation has nothing left to do, then polls.
+  /// Waits until the garment is made and the simulation has nothing left to do, then polls.  It must not play.
   void finishWork();
 
   // The simulation.

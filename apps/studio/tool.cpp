@@ -37,14 +37,13 @@ std::unique_ptr<Tool> makeTool(PartKind kind, Studio& studio) {
 }
 
 const ToolText& textOf(PartKind kind) {
-  static const ToolText kTexts[] = {
-      {"Boundary", "Draws a closed loop on the body, where the garment ends."},
-      {"Region", "Makes cloth of the part of the body between the boundaries."},
-      {"Extension", "Pulls an edge of the garment out: a skirt, a wide sleeve."},
-      {"Paint", "Adds cloth where you brush, or takes some away."},
-      {"Comfort", "Sets the least distance between cloth and body where you brush."},
-      {"Pin", "Lets an edge, or the cloth within a ball, follow the body."},
-      {"Seam", "Draws lines along which the garment is cut for its sewing pattern."}};
+  static const ToolText kTexts[] = {{"Boundary", "Draws a closed loop on the body, where the garment ends."},
+                                    {"Region", "Makes cloth of the part of the body between the boundaries."},
+                                    {"Extension", "Pulls an edge of the garment out: a skirt, a wide sleeve."},
+                                    {"Paint", "Adds cloth where you brush, or takes some away."},
+                                    {"Comfort", "Sets the least distance between cloth and body where you brush."},
+                                    {"Pin", "Lets an edge, or the cloth within a ball, follow the body."},
+                                    {"Seam", "Draws lines along which the garment is cut for its sewing pattern."}};
   return kTexts[static_cast<int>(kind)];
 }
 
@@ -68,8 +67,8 @@ std::vector<Vec3> mirrored(const std::vector<Vec3>& points) {
 bool onOneSide(const std::vector<Vec3>& points) {
   const auto left = [](const Vec3& p) { return p.x() > kMirrorGap; };
   const auto right = [](const Vec3& p) { return p.x() < -kMirrorGap; };
-  return !points.empty() && (std::all_of(points.begin(), points.end(), left) ||
-                             std::all_of(points.begin(), points.end(), right));
+  return !points.empty() &&
+         (std::all_of(points.begin(), points.end(), left) || std::all_of(points.begin(), points.end(), right));
 }
 
 void addPartMarks(const Studio& studio, const Part* selected, Marks& marks) {
@@ -106,7 +105,9 @@ void addPartMarks(const Studio& studio, const Part* selected, Marks& marks) {
   };
   for (const NamedLoop& edge : made.edges)
     marks.lines.push_back({positionsOf(edge.vertices, stage.cloth()), true,
-                           isLit(edge.name) ? kHoverColor : isPinned(edge.name) ? kPinColor : kLoopColor,
+                           isLit(edge.name)      ? kHoverColor
+                           : isPinned(edge.name) ? kPinColor
+                                                 : kLoopColor,
                            isLit(edge.name) ? 7.0 : 3.0});
   if (made.input.authored)
     for (size_t k = 0; k < made.input.authored->seams.size(); ++k) {

@@ -46,8 +46,8 @@ class Tool {
 };
 
 /// Colours of marks; the colour-blind can tell them apart (Okabe and Ito 2008).
-constexpr Rgb kLoopColor = {213, 94, 0}, kHoverColor = {230, 159, 0}, kPointColor = {0, 0, 0}, kSeamColor = {204, 121, 167},
-              kPinColor = {0, 158, 115}, kRegionColor = {86, 180, 233};
+constexpr Rgb kLoopColor = {213, 94, 0}, kHoverColor = {230, 159, 0}, kPointColor = {0, 0, 0},
+              kSeamColor = {204, 121, 167}, kPinColor = {0, 158, 115}, kRegionColor = {86, 180, 233};
 
 std::unique_ptr<Tool> makeTool(PartKind kind, Studio& studio);
 /// Name, tooltip and what it does, for people.

@@ -18,8 +18,10 @@ ToolPanel::ToolPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_
   column->addWidget(does_);
   column->addLayout(form_);
   column->addStretch();
-  radius_ = addNumber("radius", "Radius", " cm", 0.0, 100.0, 1.0, "of the brush: in full within half of it, then fading");
-  scale_ = addNumber("scale", "Cloth", " times", 1.01, 2.0, 0.01, "how many times as long the cloth is under the brush");
+  radius_ =
+      addNumber("radius", "Radius", " cm", 0.0, 100.0, 1.0, "of the brush: in full within half of it, then fading");
+  scale_ =
+      addNumber("scale", "Cloth", " times", 1.01, 2.0, 0.01, "how many times as long the cloth is under the brush");
   offset_ = addNumber("offset", "Distance", " mm", 0.0, 100.0, 1.0, "least distance from the body under the brush");
   mirror_ = new QCheckBox("Mirror left and right");
   mirror_->setObjectName("mirror");
@@ -41,8 +43,8 @@ ToolPanel::ToolPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_
   showSettings();
 }
 
-QDoubleSpinBox* ToolPanel::addNumber(const char* name, const QString& label, const QString& unit, double low, double high,
-                                     double step, const QString& tip) {
+QDoubleSpinBox* ToolPanel::addNumber(const char* name, const QString& label, const QString& unit, double low,
+                                     double high, double step, const QString& tip) {
   auto* box = new QDoubleSpinBox;
   box->setObjectName(name);
   box->setRange(low, high);

@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "apps/studio/color_bar.h"
 #include "solver/base/stopwatch.h"
 
 namespace ease {
@@ -105,6 +106,10 @@ QImage ViewWidget::drawn3d(const PictureSize& size) {
   return image.mirrored();
 }
 
+void ViewWidget::drawBar(QPainter& painter, const QRect& area) const {
+  if (hasScale(shown_) && studio_.stage.hasCloth()) drawColorBar(painter, area, scaleOf(shown_, studio_.scene()));
+}
+
 void ViewWidget::paintEvent(QPaintEvent*) {
   if (is_stale_) {
     draw_s_ = 0.0;
@@ -120,35 +125,6 @@ void ViewWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.drawImage(0, 0, image_);
   drawBar(painter, rect());
-}
-
-/// The scale of the colours, along the bottom.
-void ViewWidget::drawBar(QPainter& painter, const QRect& area) const {
-  if (shown_ == Shown::cloth || !studio_.stage.hasCloth()) return;
-  const ShownScale bar = scaleOf(shown_, studio_.scene());
-  const int unit = painter.fontMetrics().height();
-  const QRect box(area.left() + unit, area.bottom() - 2 * unit - unit / 2, std::min(22 * unit, area.width() - 4 * unit),
-                  unit / 2 + 3);
-  painter.fillRect(box.adjusted(-unit / 2, -unit - 6, unit / 2 + unit, 2 * unit), QColor(255, 255, 255, 200));
-  const auto xOf = [&](double value) {
-    return box.left() + static_cast<int>(box.width() * (value - bar.scale.low()) / (bar.scale.high() - bar.scale.low()));
-  };
-  for (int x = 0; x < box.width(); ++x) {
-    const Rgb c = bar.scale.color(bar.scale.low() + (bar.scale.high() - bar.scale.low()) * (x + 0.5) / box.width());
-    painter.fillRect(box.left() + x, box.top(), 1, box.height(), QColor(c[0], c[1], c[2]));
-  }
-  painter.setPen(QColor(30, 34, 38));
-  painter.drawText(box.left(), box.top() - 5, QString::fromStdString(bar.label));
-  const auto number = [&](double value) {
-    const QString text = QString::number(value, 'g', 4);
-    const int half = painter.fontMetrics().horizontalAdvance(text) / 2;
-    painter.drawText(std::max(box.left(), xOf(value) - half), box.bottom() + unit, text);
-  };
-  number(bar.scale.low());
-  number(bar.scale.high());
-  if (!bar.has_limit) return number((bar.scale.low() + bar.scale.high()) / 2);
-  number(bar.scale.limit());
-  painter.drawLine(xOf(bar.scale.limit()), box.top() - 3, xOf(bar.scale.limit()), box.bottom() + 3);
 }
 
 QImage ViewWidget::picture(int times) {
@@ -230,6 +206,13 @@ void ViewWidget::cameraMoved() {
   Q_EMIT cameraChanged();
 }
 
+QString ViewWidget::wordsAt(const Pointer& pointer) const {
+  const LiveFrame* frame = studio_.frame();
+  if (!frame || !studio_.stage.hasCloth()) return {};
+  const std::optional<Hit> hit = studio_.stage.hitCloth(pointer.x, pointer.y);
+  return hit ? QString::fromStdString(wordsOf(*frame, hit->place.triangle)) : QString();
+}
+
 void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF way = event->localPos() - last_;
   last_ = event->localPos();
@@ -244,6 +227,7 @@ void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
     return cameraMoved();
   }
   if (!tool_ || content_ != Content::simulated) return;
+  if (gesture_ == Gesture::none) Q_EMIT pointedAt(wordsAt(pointer));
   if (gesture_ == Gesture::tool) {
     tool_->drag(pointer);
     Q_EMIT used();

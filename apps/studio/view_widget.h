@@ -45,8 +45,9 @@ class ViewWidget : public QWidget {
   long drawn() const { return drawn_; }
 
  Q_SIGNALS:
-  void used();           // the tool has done or said something
-  void cameraChanged();  // for the other view
+  void used();                           // the tool has done or said something
+  void cameraChanged();                  // for the other view
+  void pointedAt(const QString& words);  // what was measured under the pointer; empty: nothing
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -69,6 +70,7 @@ class ViewWidget : public QWidget {
   QImage drawn3d(const PictureSize& size);
   void drawBar(QPainter& painter, const QRect& area) const;
   void cameraMoved();
+  QString wordsAt(const Pointer& pointer) const;
 
   Studio& studio_;
   Content content_;

@@ -66,7 +66,8 @@ class Hands {
   /// The pixel at which the surface of the body near `point` appears, as shown.
   Pointer at(const Vec3& point) const {
     const Stage& stage = studio.stage;
-    const Vec3 on = placeOn(nearestPlace(point, stage.body(), stage.bodyTriangles()), stage.body(), stage.bodyTriangles());
+    const Vec3 on =
+        placeOn(nearestPlace(point, stage.body(), stage.bodyTriangles()), stage.body(), stage.bodyTriangles());
     return pixel(on);
   }
   Pointer pixel(const Vec3& point) const {

@@ -92,6 +92,7 @@ TEST_CASE("material, limit, comfort and pins change while it runs") {
   Hands hands(smallTop());
   Studio& studio = hands.studio;
   studio.step(3);
+  studio.finishWork();
   const auto edited = [&](const char* path, const char* key, const char* value) {
     SceneText text(studio.text());
     text.setValue(path, 0, key, value);
@@ -158,8 +159,8 @@ TEST_CASE("changes at random steps leave everything finite and stop nothing") {
         edited.setValue("adaption", 0, "limit", tomlNumber(uniform(0.02, 0.2)));
         return (void)studio.gesture(edited.text(), "limit");
       case 5:
-        return (void)studio.gesture(withExtension(text, studio.scene().garment.tools->extensions.empty() ? -1 : 0, "hem",
-                                                  uniform(0.05, 0.3), uniform(0.9, 1.3)),
+        return (void)studio.gesture(withExtension(text, studio.scene().garment.tools->extensions.empty() ? -1 : 0,
+                                                  "hem", uniform(0.05, 0.3), uniform(0.9, 1.3)),
                                     "extension");
       case 6:
         return studio.goTo(static_cast<int>(uniform(0, 1.999)));

@@ -1,55 +1,12 @@
-// A dress by mouse and keys, as in Figure 4 of Wolff et al. 2022, in the real window, without a display.  Points are given
-// in metres and projected, so that neither layout nor fonts matter.  With EASE_STUDIO_PICTURES=FOLDER, pictures of the
-// window are kept there.
+#include "tests/studio/main_window_test.h"
+
 #include <QApplication>
 #include <QProcess>
-#include <QTemporaryDir>
 #include <QtTest>
 
-#include "apps/studio/main_window.h"
 #include "solver/io/mesh_io.h"
 
 namespace ease {
-
-class WindowTest : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void initTestCase();
-  void theWindowShowsTheBody();
-  void loopsAreDrawnByClicks();
-  void aClickMakesCloth();
-  void aDragMakesASkirt();
-  void pinSeamAndComfort();
-  void theClothMovesAndTurnsToAnotherPose();
-  void sleevesArePuffedWhileItRuns();
-  void undoAndRedoByKeys();
-  void partsAreRenamedAndRemovedInTheList();
-  void nonsenseIsAnswered();
-  void staticPicturesRepeat();
-  void theSavedFileMakesTheSameGarment();
-  void cleanupTestCase();
-
- private:
-  Vec3 onBody(const Vec3& point) const;
-  Vec3 onCloth(const Vec3& point) const;
-  void click(const Vec3& shown, Qt::KeyboardModifiers keys = {});
-  QPoint inWindow(QPoint at) const;
-  void move(QPoint at);
-  void drag(Qt::MouseButton button, QPoint from, QPoint to, Qt::KeyboardModifiers keys = {});
-  void turn(double yaw_deg);
-  void key(Qt::Key key, Qt::KeyboardModifiers keys = {});
-  void wait();
-  void loop(const std::vector<Vec3>& front, const std::vector<Vec3>& behind);
-  Vec3 onLoop(const std::string& name) const;
-  std::string loopNear(const Vec3& point) const;
-  void keepPicture(const char* name);
-  long pixelsNear(const QImage& image, const Rgb& color, int within) const;
-  const GarmentScene& garment() const { return window_->studio().scene().garment; }
-
-  QTemporaryDir directory_;
-  std::unique_ptr<MainWindow> window_;
-};
 
 void WindowTest::initTestCase() {
   QVERIFY(directory_.isValid());
@@ -291,7 +248,8 @@ void WindowTest::sleevesArePuffedWhileItRuns() {
   QTRY_VERIFY_WITH_TIMEOUT(!window_->studio().isMaking(), 20000);
   QVERIFY2(garment().paint.size() == 1, window_->studio().words().c_str());
   QTRY_VERIFY_WITH_TIMEOUT(
-      *std::max_element(window_->studio().frame()->growth.begin(), window_->studio().frame()->growth.end()) > 1.05, 20000);
+      *std::max_element(window_->studio().frame()->growth.begin(), window_->studio().frame()->growth.end()) > 1.05,
+      20000);
   keepPicture("5_paint");
   key(Qt::Key_Space);
   wait();
@@ -361,7 +319,8 @@ void WindowTest::staticPicturesRepeat() {
       double difference = 0.0;
       for (int k = 0; k < 256; ++k) {
         const QColor a = first.pixelColor(x + k % 16, y + k / 16), b = second.pixelColor(x + k % 16, y + k / 16);
-        difference += (std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue())) / 768.0;
+        difference +=
+            (std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue())) / 768.0;
       }
       ++blocks;
       different += difference > 12.0 ? 1 : 0;
@@ -385,4 +344,3 @@ void WindowTest::theSavedFileMakesTheSameGarment() {
 }  // namespace ease
 
 QTEST_MAIN(ease::WindowTest)
-#include "window_test.moc"
