@@ -17,7 +17,8 @@ namespace {
 
 constexpr int kTick = 15;               // ms, between looks for news
 constexpr double kDrawingShare = 0.35;  // of the time, at most, while simulating
-constexpr int kSlowest = 80;            // ms: yet so often at least
+constexpr double kFastest = 33.0;       // ms between two pictures
+constexpr double kSlowest = 80.0;       // ms between two pictures at most, unless a picture takes half of that
 constexpr int kReportTick = 500;        // ms
 
 }  // namespace
@@ -81,17 +82,13 @@ void MainWindow::chooseTool(PartKind kind) {
 }
 
 void MainWindow::tick() {
-  const double pause = std::min<double>(kSlowest, std::max(33.0, 1000.0 * view_->drawSeconds() / kDrawingShare));
-  if (studio_->simulation().plays() && !waits_for_frame_ && since_frame_.elapsed() >= pause) {
+  const double draw_ms = 1000.0 * view_->drawSeconds();
+  const double pause_ms = std::clamp(draw_ms / kDrawingShare, kFastest, std::max(kSlowest, 2.0 * draw_ms));
+  if (studio_->simulation().plays() && static_cast<double>(since_frame_.elapsed()) >= pause_ms) {
     studio_->simulation().wantFrame(view_->shown() == Shown::pressure || view_->shown() == Shown::ease);
     since_frame_.restart();
-    waits_for_frame_ = true;
   }
-  const LiveFrame* before = studio_->frame();
-  const long steps = before ? before->steps : -1;
   if (studio_->poll()) {
-    if (!studio_->frame() || studio_->frame()->steps != steps) waits_for_frame_ = false;
-    waits_for_frame_ = false;
     view_->refresh();
     if (other_->isVisible()) other_->refresh();
     sync();

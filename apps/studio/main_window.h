@@ -87,7 +87,6 @@ class MainWindow : public QMainWindow {
   QElapsedTimer clock_, since_frame_;
   QString status_text_;
   int text_revision_ = -1, mesh_revision_ = -1;
-  bool waits_for_frame_ = false;
   double steps_per_s_ = 0.0;
   long steps_before_ = 0, drawn_before_ = 0;
   double frames_per_s_ = 0.0;
