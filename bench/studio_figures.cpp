@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <sstream>
+#include <thread>
 
 #include "apps/studio/main_window.h"
 #include "solver/base/stopwatch.h"
@@ -26,10 +27,41 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+/// Processor time of all threads so far, s.
+double processorSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Medians of the time that passed and of the processor time, ms.
+class Laps {
+ public:
+  void begin() {
+    start_ = Clock::now();
+    processor_ = processorSeconds();
+  }
+  void end() {
+    passed_.push_back(1e3 * secondsSince(start_));
+    worked_.push_back(1e3 * (processorSeconds() - processor_));
+  }
+  void print(const char* what) const {
+    std::printf("%-34s %7.1f ms, of the processor %7.1f ms\n", what, median(passed_), median(worked_));
+  }
+
+ private:
+  Clock::time_point start_;
+  double processor_ = 0.0;
+  std::vector<double> passed_, worked_;
+};
+
 /// Lets the window work until the condition holds; returns the seconds that took.
 double until(const std::function<bool()>& condition) {
   const auto start = Clock::now();
-  while (!condition()) QCoreApplication::processEvents(QEventLoop::AllEvents, 2);
+  while (!condition()) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 2);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // as a window does that waits
+  }
   return secondsSince(start);
 }
 
@@ -59,35 +91,38 @@ void pathPreview(MainWindow& window) {
   const Positions& body = studio.stage.firstPose();
   const double middle = (body.col(1).minCoeff() + body.col(1).maxCoeff()) / 2;
   for (const double x : {-0.1, 0.0}) window.tool().press(at({x, middle + 0.1, 0.2}));
-  std::vector<double> hover, draw;
+  Laps hover, draw;
   for (int k = 0; k < 40; ++k) {
     const Pointer pointer = at({0.1, middle + 0.1 + 0.005 * k, 0.2});
-    auto start = Clock::now();
+    hover.begin();
     window.tool().hover(pointer);
-    hover.push_back(1e3 * secondsSince(start));
-    start = Clock::now();
+    hover.end();
+    draw.begin();
     window.view().refresh();
     window.view().repaint();
-    draw.push_back(1e3 * secondsSince(start));
+    draw.end();
   }
   window.tool().cancel();
-  std::printf("path preview %.1f ms (largest %.1f), then a picture %.1f ms\n", median(hover),
-              *std::max_element(hover.begin(), hover.end()), median(draw));
+  hover.print("path preview");
+  draw.print("a picture");
 }
 
-/// Median seconds from a gesture until the simulation has taken it in.
-double takenIn(MainWindow& window, const std::function<void(int)>& gesture) {
+/// Tells how long it takes from a gesture until the simulation has taken it in.
+void takenIn(MainWindow& window, const char* what, const std::function<void(int)>& gesture) {
   Studio& studio = window.studio();
-  std::vector<double> seconds;
+  Laps laps;
   for (int k = 0; k < 7; ++k) {
-    const auto start = Clock::now();
+    laps.begin();
     gesture(k);
-    while (studio.isMaking()) studio.poll();
+    while (studio.isMaking()) {
+      studio.poll();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     studio.simulation().finishWork();
-    seconds.push_back(secondsSince(start));
+    laps.end();
     studio.poll();
   }
-  return median(seconds);
+  laps.print(what);
 }
 
 void simulate(MainWindow& window, double turn_s) {
@@ -132,31 +167,29 @@ int main(int argc, char** argv) {
   MainWindow window(Document(text, argv[1]));
   window.show();
   until([&] { return window.view().drawn() > 0; });
-  std::printf("window %.2f s, body of %ld triangles\n", secondsSince(start),
-              static_cast<long>(window.studio().bodyMesh().triangles.rows()));
+  std::printf("window %.2f s (%.2f s of the processor), body of %ld triangles\n", secondsSince(start),
+              processorSeconds(), static_cast<long>(window.studio().bodyMesh().triangles.rows()));
   Studio& studio = window.studio();
   until([&] { return !studio.isMaking() && studio.stage.hasCloth(); });
   const long vertices = static_cast<long>(studio.stage.cloth().rows());
   std::printf("garment %.2f s after the window, %ld vertices\n", secondsSince(start), vertices);
   pathPreview(window);
   const Vec3 seed = studio.scene().garment.tools->seed;
-  std::vector<double> making;
+  Laps making;
   for (int k = 0; k < 5; ++k) {
-    const auto click = Clock::now();
+    making.begin();
     studio.gesture(withRegion(studio.text(), seed + Vec3(0, 0.001 * (k + 1), 0)), "region");
     until([&] { return !studio.isMaking(); });
     const long drawn = window.view().drawn();
     until([&] { return window.view().drawn() > drawn; });
-    making.push_back(secondsSince(click));
+    making.end();
   }
-  std::printf("garment made and shown %.2f s after the click\n", median(making));
+  making.print("garment made and shown");
   const Vec3 place = studio.stage.clothAsMade().positions.row(0);
-  std::printf("paint taken in %.0f ms\n", 1e3 * takenIn(window, [&](int k) {
-                                            studio.gesture(withPaint(studio.text(), {place}, 0.1, 1.05 + 0.01 * k),
-                                                           "paint");
-                                          }));
+  takenIn(window, "paint taken in",
+          [&](int k) { studio.gesture(withPaint(studio.text(), {place}, 0.1, 1.05 + 0.01 * k), "paint"); });
   const int poses = static_cast<int>(studio.bodyInput().poses.size());
-  std::printf("another pose taken in %.0f ms\n", 1e3 * takenIn(window, [&](int k) { studio.goTo((k + 1) % poses); }));
+  takenIn(window, "another pose taken in", [&](int k) { studio.goTo((k + 1) % poses); });
   simulate(window, argc > 2 ? std::atof(argv[2]) : 4.0);
   std::printf("memory %.0f MB now, %.0f MB at most\n", memoryMB("VmRSS"), memoryMB("VmHWM"));
   studio.document().discardUnsaved();
