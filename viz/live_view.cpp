@@ -16,6 +16,8 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <set>
+
 #include "solver/base/error.h"
 #include "viz/offscreen.h"
 #include "viz/poly_data.h"
@@ -52,12 +54,15 @@ class Surface {
     data_ = toPolyData(mesh.positions, toCells(mesh.triangles));
     data_->GetPointData()->SetNormals(normals_);
     mapper_->SetInputData(data_);
+    shown_.resize(0, 3);
     move(mesh.positions);
     actor->SetVisibility(triangles_.rows() > 0);
   }
 
   void move(const Positions& x) {
     if (!data_ || x.rows() != data_->GetNumberOfPoints()) return;
+    if (shown_.rows() == x.rows() && shown_ == x) return;  // a body that stands still costs nothing
+    shown_ = x;
     auto* points = vtkFloatArray::SafeDownCast(data_->GetPoints()->GetData());
     float* out = points->GetPointer(0);
     for (Eigen::Index i = 0; i < x.size(); ++i) out[i] = static_cast<float>(x.data()[i]);
@@ -103,7 +108,7 @@ class Surface {
   }
 
   Triangles triangles_;
-  Positions sums_;
+  Positions shown_, sums_;
   vtkNew<vtkFloatArray> normals_;
   vtkNew<vtkPolyDataMapper> mapper_;
   vtkSmartPointer<vtkPolyData> data_;
@@ -123,19 +128,27 @@ vtkSmartPointer<vtkActor> markActor(vtkPolyData* data, double offset) {
   return actor;
 }
 
-vtkSmartPointer<vtkActor> lineActor(const MarkLine& line) {
+/// All lines of one width: an actor costs more than its lines.
+vtkSmartPointer<vtkActor> lineActor(const std::vector<MarkLine>& lines, double width) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
-  for (const Vec3& x : line.points) points->InsertNextPoint(x.data());
-  const auto count = static_cast<vtkIdType>(line.points.size());
-  cells->InsertNextCell(static_cast<int>(count + (line.is_closed ? 1 : 0)));
-  for (vtkIdType i = 0; i < count + (line.is_closed ? 1 : 0); ++i) cells->InsertCellPoint(i % count);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (const MarkLine& line : lines) {
+    if (line.width != width || line.points.size() < 2) continue;
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (const Vec3& x : line.points) points->InsertNextPoint(x.data());
+    const auto count = static_cast<vtkIdType>(line.points.size()), ends = count + (line.is_closed ? 1 : 0);
+    cells->InsertNextCell(static_cast<int>(ends));
+    for (vtkIdType i = 0; i < ends; ++i) cells->InsertCellPoint(first + i % count);
+    colors->InsertNextTypedTuple(line.color.data());
+  }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetLines(cells);
+  data->GetCellData()->SetScalars(colors);
   auto actor = markActor(data, -12);
-  setColor(actor, line.color);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(line.width));
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
   return actor;
 }
 
@@ -195,7 +208,7 @@ LiveView::LiveView() : parts_(std::make_unique<Parts>()) {
   window->SetIsDirect(1);
   window->SetMapped(1);
   window->SetOffScreenRendering(1);
-  window->SetMultiSamples(4);
+  window->SetMultiSamples(parts_->context.isSoftware() ? 0 : 4);  // in software they take three times as long
   window->SetSize(64, 64);
   window->OpenGLInitContext();
   vtkRenderer* renderer = parts_->renderer;
@@ -248,8 +261,9 @@ void LiveView::setMarks(const std::vector<MarkLine>& lines, const std::vector<Ma
   parts_->context.makeCurrent();
   for (const auto& actor : parts_->marks) parts_->renderer->RemoveActor(actor);
   parts_->marks.clear();
-  for (const MarkLine& line : lines)
-    if (line.points.size() >= 2) parts_->marks.push_back(lineActor(line));
+  std::set<double> widths;
+  for (const MarkLine& line : lines) widths.insert(line.width);
+  for (const double width : widths) parts_->marks.push_back(lineActor(lines, width));
   if (!dots.empty()) parts_->marks.push_back(dotActor(dots));
   for (const auto& actor : parts_->marks) parts_->renderer->AddActor(actor);
 }

@@ -75,6 +75,7 @@ OffscreenContext::OffscreenContext(Renderer renderer) {
   for (const auto open : ways) {
     display_ = open(client_extensions);
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) continue;
+    is_software_ = open != hardwareDisplay;
     if (eglBindAPI(EGL_OPENGL_API)) context_ = createContext(display_);
     if (context_ != EGL_NO_CONTEXT && eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return;
     error = eglGetError();

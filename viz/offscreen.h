@@ -21,8 +21,11 @@ class OffscreenContext {
 
   /// Makes the context current in the calling thread again, of which there must be only one.
   void makeCurrent() const;
+  /// Whether it draws in software, as far as EGL tells.
+  bool isSoftware() const { return is_software_; }
 
  private:
+  bool is_software_ = true;
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
 };

@@ -170,27 +170,35 @@ std::string LiveRun::change(std::shared_ptr<const MadeGarment> made) {
 
 std::string LiveRun::changeInPlace(const MadeGarment& before) {
   const std::vector<PinAnchor> anchors = pins_.anchors();
-  const auto words = [](const MadeGarment& made) {
+  const auto material = [](const MadeGarment& made) {
     const Material& m = made.scene.material;
     return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", m.density, m.total_mass.value_or(0), m.stretch_warp,
                        m.stretch_weft, m.shear, m.bending, m.mu, m.lambda, m.damping_stretch, m.damping_shear,
                        m.damping_bending);
   };
-  if (words(before) != words(*made_)) {  // the rest shapes stay
+  const auto settings = [&](const MadeGarment& made) {  // all that the step and the adaption are made for
+    const Scene& scene = made.scene;
+    return fmt::format("{} {} {} {}", material(made), scene.adaption ? scene.adaption->limit : kUsualLimit,
+                       scene.collision.friction, scene.collision.offset);
+  };
+  if (material(before) != material(*made_)) {  // the rest shapes stay
     const RestShape first = cloth_->first(), rest = cloth_->rest();
     cloth_.emplace(made_->input.garment, made_->scene.garment.grain, made_->scene.material);
     cloth_->setFirst(first);
     cloth_->setRest(rest);
   }
-  const std::vector<Mat2> wanted = adaption_->wantedEdges();
-  const Schedule on_the_way = settings_->schedule;
-  makeStep();
-  settings_->schedule = on_the_way;
-  adaption_->resume(wanted);
+  if (settings(before) != settings(*made_)) {
+    const std::vector<Mat2> wanted = adaption_->wantedEdges();
+    const Schedule on_the_way = settings_->schedule;
+    makeStep();
+    settings_->schedule = on_the_way;
+    adaption_->resume(wanted);
+  }
   const std::vector<double> more = paintBetween(paint_, made_->input.paint);
   if (!more.empty()) adaption_->rescale(more);
   paint_ = made_->input.paint;
-  if (body_) {
+  const bool meets_anew = settings(before) != settings(*made_) || before.input.offsets != made_->input.offsets;
+  if (body_ && meets_anew) {
     if (largestOffset() > band_) {  // the level sets do not reach that far
       if (moving_ < way_steps_)
         leaveFor({bodyNow(), made_->input.poses[pose_]});

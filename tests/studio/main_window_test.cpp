@@ -341,6 +341,20 @@ void WindowTest::theSavedFileMakesTheSameGarment() {
   QVERIFY((made.positions - here.positions).cwiseAbs().maxCoeff() < 1e-9);
 }
 
+/// A run is a process of its own; what is written when it is cancelled can be opened.
+void WindowTest::aRunCanBeCancelled() {
+  RunDialog* dialog = window_->run();
+  QVERIFY2(dialog, window_->studio().words().c_str());
+  QTRY_VERIFY_WITH_TIMEOUT(dialog->isRunning(), 10000);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(directory_.path() + "/results/dress") || !dialog->isRunning(), 60000);
+  QVERIFY(dialog->isRunning());
+  QTest::qWait(300);
+  dialog->interrupt();
+  QTRY_VERIFY_WITH_TIMEOUT(!dialog->isRunning(), 60000);
+  QVERIFY(QFile::exists(directory_.path() + "/results/dress/report.json"));
+  dialog->close();
+}
+
 }  // namespace ease
 
 QTEST_MAIN(ease::WindowTest)

@@ -27,6 +27,7 @@ class WindowTest : public QObject {
   void nonsenseIsAnswered();
   void staticPicturesRepeat();
   void theSavedFileMakesTheSameGarment();
+  void aRunCanBeCancelled();
   void cleanupTestCase();
 
  private:
