@@ -172,9 +172,9 @@ std::string LiveRun::changeInPlace(const MadeGarment& before) {
   const std::vector<PinAnchor> anchors = pins_.anchors();
   const auto material = [](const MadeGarment& made) {
     const Material& m = made.scene.material;
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", m.density, m.total_mass.value_or(0), m.stretch_warp,
-                       m.stretch_weft, m.shear, m.bending, m.mu, m.lambda, m.damping_stretch, m.damping_shear,
-                       m.damping_bending);
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", m.density, m.total_mass.value_or(0), m.stretch_warp,
+                       m.stretch_weft, m.compression, m.shear, m.bending, m.mu, m.lambda, m.damping_stretch,
+                       m.damping_shear, m.damping_bending);
   };
   const auto settings = [&](const MadeGarment& made) {  // all that the step and the adaption are made for
     const Scene& scene = made.scene;
