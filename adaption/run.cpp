@@ -12,24 +12,21 @@ namespace ease {
 
 namespace {
 
-constexpr double kRecoverySpeed = 4.0;  // m/s, beside the body's own: of cloth moved out of the body, at most
-constexpr double kMinOffset = 1e-3;     // m: smaller comfort offsets count as this one in the contact's stiffness
-
-/// Contact stiffness, N/m^3: as the settings say, and at least what brings cloth at rest to the body's speed v within
-/// half the comfort offset d:  1/2 k (d/2)^2 >= 1/2 rho v^2.
-double stiffnessFor(const RunSettings& settings, double body_speed, const Cloth& cloth) {
-  double mass = 0.0, area = 0.0;
-  for (double m : cloth.masses()) mass += m;
-  for (double a : cloth.restAreas()) area += a;
-  const double way = 0.5 * std::max(kMinOffset, settings.comfort_offset);
-  return std::max(settings.contact_stiffness, mass / area * std::pow(body_speed / way, 2));
-}
+constexpr double kMinOffset = 1e-3;  // m: smaller comfort offsets count as this one in the contact's stiffness
 
 Substeps substepsFor(const RunSettings& settings, const RunInput& input) {
   return chooseSubsteps(settings.schedule, input.body_motion, settings.comfort_offset);
 }
 
 }  // namespace
+
+double contactStiffness(const RunSettings& settings, double body_speed, const Cloth& cloth) {
+  double mass = 0.0, area = 0.0;
+  for (double m : cloth.masses()) mass += m;
+  for (double a : cloth.restAreas()) area += a;
+  const double way = 0.5 * std::max(kMinOffset, settings.comfort_offset);
+  return std::max(settings.contact_stiffness, mass / area * std::pow(body_speed / way, 2));
+}
 
 Run::Run(const RunSettings& settings, const RunInput& input, Cloth& cloth)
     : settings_(settings),
@@ -41,7 +38,7 @@ Run::Run(const RunSettings& settings, const RunInput& input, Cloth& cloth)
       state_{input.start, Positions::Zero(cloth.vertexCount(), 3)} {
   record_.substeps = substepsFor(settings, input);
   const double body_motion = input.body_motion / record_.substeps.time;
-  record_.contact_stiffness = stiffnessFor(settings, body_motion / part_s_, cloth);
+  record_.contact_stiffness = contactStiffness(settings, body_motion / part_s_, cloth);
   if (input.body)
     contacts_.emplace(*input.body, cloth, input.offsets, settings.schedule, record_.substeps,
                       kRecoverySpeed * part_s_ + body_motion);

@@ -29,6 +29,12 @@ struct RunSettings {
   std::optional<double> limit;       // delta: the cloth may be stretched to 1 + delta; none: without limit or adaption
 };
 
+/// Contact stiffness, N/m^3: as the settings say, and at least what brings cloth at rest to the body's speed v (m/s)
+/// within half the comfort offset d:  1/2 k (d/2)^2 >= 1/2 rho v^2.
+double contactStiffness(const RunSettings& settings, double body_speed, const Cloth& cloth);
+
+constexpr double kRecoverySpeed = 4.0;  // m/s, beside the body's own: of cloth moved out of the body, at most
+
 /// What a run is given; must outlive it.
 struct RunInput {
   Positions start;              // of the garment, n x 3, m

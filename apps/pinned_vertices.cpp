@@ -26,7 +26,7 @@ std::vector<int> loopNamed(const std::string& name, const SceneInput& input, con
 std::vector<int> verticesIn(const Brush& ball, const Positions& positions) {
   std::vector<int> vertices;
   for (int v = 0; v < positions.rows(); ++v)
-    if ((Vec3(positions.row(v)) - ball.at).norm() <= ball.radius) vertices.push_back(v);
+    if (distanceTo(ball, positions.row(v)) <= ball.radius) vertices.push_back(v);
   if (vertices.empty())
     throw InputError(fmt::format("at = [{:g}, {:g}, {:g}], radius = {:g}: no vertex of the garment lies in this ball",
                                  ball.at.x(), ball.at.y(), ball.at.z(), ball.radius));

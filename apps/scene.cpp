@@ -69,7 +69,7 @@ PinScene readPin(const TomlTable& table, bool has_body) {
   return pin;
 }
 
-GarmentScene readGarment(const TomlTable& table, const std::optional<BodyScene>& body) {
+GarmentScene readGarment(const TomlTable& table, const std::optional<BodyScene>& body, bool may_be_draft) {
   table.allow({"mesh", "builtin", "vertices", "grain", "pin", "resolution", "edge_length", "smoothing", "boundary",
                "region", "extension", "paint", "comfort", "seam"});
   GarmentScene garment;
@@ -77,15 +77,17 @@ GarmentScene readGarment(const TomlTable& table, const std::optional<BodyScene>&
   garment.builtin = table.choice("builtin", garment.builtin, {"t-shirt", "dress"});
   const bool built_in = !garment.builtin.empty();
   if (built_in && !garment.mesh.empty()) table.refuse("builtin", "either mesh or builtin, not both");
-  readGarmentTools(table, body.has_value(), garment);
-  if (!built_in && garment.mesh.empty() && !garment.tools)
+  readGarmentTools(table, body.has_value(), may_be_draft, garment);
+  if (!built_in && garment.mesh.empty() && !garment.tools) garment.is_draft = true;
+  if (garment.is_draft && !may_be_draft)
     table.refuse("mesh", "a mesh file, or builtin = 't-shirt' on the mannequin, or [[garment.boundary]] loops");
   if (built_in && !(body && body->builtin == "mannequin"))
     table.refuse("builtin", "[body] builtin = 'mannequin', since built-in garments are made on it");
   if (built_in && body->poses.front() != "t")
     table.refuse("builtin", "[body] poses to begin with 't', since built-in garments are made on that pose");
   if (garment.tools && table.has("vertices")) table.refuse("vertices", "resolution, since the garment has boundaries");
-  if (!built_in && table.has("vertices")) table.refuse("vertices", "builtin: a mesh has the vertices that it has");
+  if (!built_in && !garment.is_draft && table.has("vertices"))
+    table.refuse("vertices", "builtin: a mesh has the vertices that it has");
   garment.vertices = table.integer("vertices", garment.vertices, 100, 200000);
 
   garment.grain = readVec3(table, "grain", garment.grain, 1e6, "");
@@ -245,18 +247,18 @@ void checkLength(const TomlTable& root, const Scene& scene) {
       ->refuse("steps", fmt::format("at most {:.0f} time steps in all, found {:.0f}", kMaxTimeSteps, steps));
 }
 
-}  // namespace
-
-Scene readScene(const std::filesystem::path& file) {
-  const TomlTable root = TomlTable::read(file);
+Scene readRoot(const TomlTable& root, const std::filesystem::path& file, bool may_be_draft) {
   root.allow({"name", "body", "garment", "material", "solver", "collision", "adaption", "output", "pattern"});
   Scene scene;
   scene.file = file;
   scene.name = readName(root, file);
   if (const auto body = root.table("body")) scene.body = readBody(*body);
   const auto garment = root.table("garment");
-  if (!garment) root.refuse("garment", "a table [garment] with a mesh or a builtin garment");
-  scene.garment = readGarment(*garment, scene.body);
+  if (!garment && !may_be_draft) root.refuse("garment", "a table [garment] with a mesh or a builtin garment");
+  if (garment)
+    scene.garment = readGarment(*garment, scene.body, may_be_draft);
+  else
+    scene.garment.is_draft = true;
   const auto material = root.table("material");
   if (material) scene.material = readMaterial(*material);
   if (const auto solver = root.table("solver"))
@@ -275,6 +277,16 @@ Scene readScene(const std::filesystem::path& file) {
   if (const auto pattern = root.table("pattern")) scene.pattern = readPattern(*pattern);
   checkLength(root, scene);
   return scene;
+}
+
+}  // namespace
+
+Scene readScene(const std::filesystem::path& file) {
+  return readRoot(TomlTable::read(file), file, false);
+}
+
+Scene readDraft(const std::string& text, const std::filesystem::path& file) {
+  return readRoot(TomlTable::parse(text, file), file, true);
 }
 
 }  // namespace ease

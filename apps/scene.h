@@ -43,6 +43,7 @@ struct GarmentScene {
   std::vector<Brush> comfort_regions;    // offsets, m
   Vec3 grain = {0.0, -1.0, 0.0};         // warp direction
   std::vector<PinScene> pins;
+  bool is_draft = false;  // no garment can be made of it yet (readDraft)
 };
 
 struct SolverScene {
@@ -105,6 +106,10 @@ inline bool fitsInPasses(const Scene& scene) {
 /// the nearest known one), wrong types, impossible values, missing tables, keys that exclude each other.
 Scene readScene(const std::filesystem::path& file);
 
+/// The same for the text of a file that need not exist, and of a scene that is still being made: it may lack a garment,
+/// or have boundaries and no region yet.
+Scene readDraft(const std::string& text, const std::filesystem::path& file);
+
 /// The meshes and other data that a scene refers to, read and checked.
 struct SceneInput {
   TriangleMesh garment;
@@ -132,9 +137,13 @@ struct StartGarment {
 /// Reads the meshes or makes the garment with the scene's tools, and checks everything that a run relies on.  Throws
 /// InputError.  `tell` receives every warning as soon as it is known, because a later error may have the same cause.
 /// `before` is the start garment of a run to be resumed: the scene's garment must have its triangles and gets its
-/// positions.  `pause` is called between meshes and between tools.
+/// positions.  `pause` is called between meshes and between tools.  `body`: an earlier input of the same [body], whose
+/// poses are taken over.
 SceneInput readSceneInput(const Scene& scene, const Warn& tell = nullptr, const StartGarment* before = nullptr,
-                          const Pause& pause = nullptr);
+                          const Pause& pause = nullptr, const SceneInput* body = nullptr);
+
+/// Reads or makes the poses of the scene's body alone.
+SceneInput readBodyInput(const Scene& scene, const Warn& tell = nullptr);
 
 /// The order in which a run stores the vertices and triangles of its meshes.
 struct InputNumbering {

@@ -119,8 +119,12 @@ void makeBuiltinPoses(const Scene& scene, const Pause& pause, SceneInput& input)
   }
 }
 
-void readPoses(const Scene& scene, const Warn& warn, const Pause& pause, SceneInput& input) {
-  if (scene.body->builtin.empty()) {
+void readPoses(const Scene& scene, const Warn& warn, const Pause& pause, const SceneInput* known, SceneInput& input) {
+  if (known) {
+    input.body_triangles = known->body_triangles;
+    input.pose_names = known->pose_names;
+    input.poses = known->poses;
+  } else if (scene.body->builtin.empty()) {
     readFilePoses(scene, warn, pause, input);
   } else {
     makeBuiltinPoses(scene, pause, input);
@@ -236,7 +240,8 @@ void checkStart(const SceneInput& input, const std::string& garment_name) {
 
 }  // namespace
 
-SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarment* before, const Pause& pause) {
+SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarment* before, const Pause& pause,
+                          const SceneInput* body) {
   SceneInput input;
   const Warn warn = [&](const std::string& warning) {
     input.warnings.push_back(warning);
@@ -248,7 +253,7 @@ SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarme
                     "stands for 8 %",
                     scene.file.string(), scene.adaption->limit, 1.0 + scene.adaption->limit));
   // Tools need the body before they can make a garment.  Otherwise the garment is read and checked before the body.
-  if (scene.garment.tools) readPoses(scene, warn, pause, input);
+  if (scene.garment.tools) readPoses(scene, warn, pause, body, input);
   const std::string name = readGarment(scene, before ? before->offset : scene.collision.offset, warn, pause, input);
   if (before) takeStartFrom(*before, name, warn, input);
   checkGeometry(input.garment, name);
@@ -264,8 +269,18 @@ SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarme
     input.paint = ofGarment(scene, [&] { return paintedScales(input.garment, scene.garment.paint); });
 
   if (!scene.body) return input;
-  if (!scene.garment.tools) readPoses(scene, warn, pause, input);
+  if (!scene.garment.tools) readPoses(scene, warn, pause, body, input);
   checkStart(input, name);
+  return input;
+}
+
+SceneInput readBodyInput(const Scene& scene, const Warn& tell) {
+  SceneInput input;
+  const Warn warn = [&](const std::string& warning) {
+    input.warnings.push_back(warning);
+    if (tell) tell(warning);
+  };
+  if (scene.body) readPoses(scene, warn, nullptr, nullptr, input);
   return input;
 }
 

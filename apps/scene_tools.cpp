@@ -87,13 +87,17 @@ std::vector<SeamRequest> readSeams(const TomlTable& table) {
   return seams;
 }
 
-void readMaking(const TomlTable& table, GarmentTools& tools) {
+/// Reads what makes the garment; returns false for a draft's boundaries without a region.
+bool readMaking(const TomlTable& table, bool may_be_draft, GarmentTools& tools) {
   std::set<std::string> names;
   for (const TomlTable& boundary : table.tables("boundary")) tools.boundaries.push_back(readBoundary(boundary, names));
   const auto region = table.table("region");
-  if (!region) table.refuse("region", "a table [garment.region] with a seed, since there are boundaries");
-  region->allow({"seed"});
-  tools.seed = readPoint(*region, "seed", "a point of the body that the boundaries enclose, [x, y, z], m");
+  if (!region && !may_be_draft)
+    table.refuse("region", "a table [garment.region] with a seed, since there are boundaries");
+  if (region) {
+    region->allow({"seed"});
+    tools.seed = readPoint(*region, "seed", "a point of the body that the boundaries enclose, [x, y, z], m");
+  }
   if (table.has("resolution") && table.has("edge_length"))
     table.refuse("edge_length", "either resolution or edge_length, not both");
   tools.resolution = table.integer("resolution", tools.resolution, 100, 200000);
@@ -101,6 +105,7 @@ void readMaking(const TomlTable& table, GarmentTools& tools) {
   for (const TomlTable& extension : table.tables("extension")) tools.extensions.push_back(readExtension(extension));
   tools.seams = readSeams(table);
   tools.smoothing = table.number("smoothing", tools.smoothing, {0.001, 0.1, false, "m"});
+  return region.has_value();
 }
 
 void readComfort(const TomlTable& table, GarmentScene& garment) {
@@ -108,7 +113,7 @@ void readComfort(const TomlTable& table, GarmentScene& garment) {
   table.allow({"offset", "region"});
   if (table.has("offset")) garment.comfort_offset = table.number("offset", 0.0, offsets);
   for (const TomlTable& region : table.tables("region")) {
-    region.allow({"at", "radius", "offset"});
+    region.allow({"at", "points", "radius", "offset"});
     Brush brush = readBall(region);
     require(region, "offset", "the least distance from the body there, m");
     brush.value = region.number("offset", 0.0, offsets);
@@ -117,7 +122,7 @@ void readComfort(const TomlTable& table, GarmentScene& garment) {
 }
 
 Brush readPaint(const TomlTable& table) {
-  table.allow({"at", "radius", "scale"});
+  table.allow({"at", "points", "radius", "scale"});
   Brush brush = readBall(table);
   require(table, "scale", "how many times as long the cloth is to be there: above 1 more cloth, below 1 less");
   brush.value = table.number("scale", 1.0, {0.2, 5.0, false, ""});
@@ -136,23 +141,30 @@ Vec3 readVec3(const TomlTable& table, std::string_view key, const Vec3& fallback
 
 Brush readBall(const TomlTable& table) {
   Brush brush;
-  brush.at = readPoint(table, "at", "the middle of a ball, [x, y, z], m");
+  if (table.has("points")) {
+    if (table.has("at")) table.refuse("points", "either at, a ball, or points, a stroke, not both");
+    brush.stroke = readPoints(table, "points");
+    brush.at = brush.stroke.front();
+  } else {
+    brush.at = readPoint(table, "at", "the middle of a ball, [x, y, z], m");
+  }
   require(table, "radius", "the radius of a ball, m");
   brush.radius = table.number("radius", 0.0, {0.0, kFarthest, true, "m"});
   brush.value = 0.0;
   return brush;
 }
 
-void readGarmentTools(const TomlTable& table, bool has_body, GarmentScene& garment) {
+void readGarmentTools(const TomlTable& table, bool has_body, bool may_be_draft, GarmentScene& garment) {
   const bool has_loops = !table.tables("boundary").empty();
   for (const char* key : {"region", "resolution", "edge_length", "smoothing", "extension"})
-    if (!has_loops && table.has(key)) table.refuse(key, fmt::format("[[garment.boundary]] loops for '{}'", key));
+    if (!has_loops && !may_be_draft && table.has(key))
+      table.refuse(key, fmt::format("[[garment.boundary]] loops for '{}'", key));
   for (const char* key : {"boundary", "comfort"})
     if (!has_body && table.has(key)) table.refuse(key, "a [body] for it");
   for (const char* key : {"mesh", "builtin"})
     if (has_loops && table.has(key)) table.refuse(key, "either this or [[garment.boundary]] loops, not both");
   if (has_loops)
-    readMaking(table, garment.tools.emplace());
+    garment.is_draft = !readMaking(table, may_be_draft, garment.tools.emplace());
   else
     garment.seams = readSeams(table);
   if (const auto comfort = table.table("comfort")) readComfort(*comfort, garment);

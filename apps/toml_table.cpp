@@ -116,8 +116,12 @@ TomlTable TomlTable::read(const std::filesystem::path& file) {
   std::ostringstream content;
   if (std::filesystem::is_directory(file, ignored) || !in || !(content << in.rdbuf()))
     throw InputError(fmt::format("{}: cannot be read as a scene file", file.string()));
+  return parse(content.str(), file);
+}
+
+TomlTable TomlTable::parse(const std::string& text, const std::filesystem::path& file) {
   try {
-    auto root = std::make_shared<const toml::table>(toml::parse(content.str(), file.string()));
+    auto root = std::make_shared<const toml::table>(toml::parse(text, file.string()));
     return TomlTable(std::make_shared<const Data>(Data{root, root.get(), file.string(), "", false}));
   } catch (const toml::parse_error& error) {
     const auto line = error.source().begin.line;

@@ -27,6 +27,8 @@ class TomlTable {
  public:
   /// Reads the file and returns its root table.  Throws InputError if the file is missing or is not TOML.
   static TomlTable read(const std::filesystem::path& file);
+  /// The same for the text of a file that need not exist.
+  static TomlTable parse(const std::string& text, const std::filesystem::path& file);
 
   /// Throws InputError if the table has a key other than these, and suggests the most similar of them.  To be called
   /// before reading: a misspelt key should be reported as such, not as a missing one.

@@ -21,8 +21,8 @@ bool has(const char* extensions, std::string_view wanted) {
   throw ComputationError(fmt::format("no OpenGL without a display: {} (EGL error {:#x})", what, error));
 }
 
-/// Returns the display of the software rasteriser, or EGL_NO_DISPLAY if EGL does not list it as a device.
-EGLDisplay softwareDisplay(const char* client_extensions) {
+/// Returns the display of the first device that is, or is not, the software rasteriser; EGL_NO_DISPLAY without one.
+EGLDisplay deviceDisplay(const char* client_extensions, bool is_software) {
   if (!has(client_extensions, "EGL_EXT_platform_device") || !has(client_extensions, "EGL_EXT_device_enumeration")) {
     return EGL_NO_DISPLAY;
   }
@@ -34,11 +34,19 @@ EGLDisplay softwareDisplay(const char* client_extensions) {
   std::vector<EGLDeviceEXT> devices(count);
   if (!query_devices(count, devices.data(), &count)) return EGL_NO_DISPLAY;
   for (int i = 0; i < count; ++i) {
-    if (has(device_string(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software")) {
+    if (has(device_string(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software") == is_software) {
       return eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr);
     }
   }
   return EGL_NO_DISPLAY;
+}
+
+EGLDisplay softwareDisplay(const char* client_extensions) {
+  return deviceDisplay(client_extensions, true);
+}
+
+EGLDisplay hardwareDisplay(const char* client_extensions) {
+  return deviceDisplay(client_extensions, false);
 }
 
 EGLDisplay surfacelessDisplay(const char* client_extensions) {
@@ -59,25 +67,33 @@ EGLContext createContext(EGLDisplay display) {
 
 }  // namespace
 
-OffscreenContext::OffscreenContext() {
+OffscreenContext::OffscreenContext(Renderer renderer) {
   const char* client_extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-  for (const auto& open : {softwareDisplay, surfacelessDisplay}) {
+  std::vector<EGLDisplay (*)(const char*)> ways = {softwareDisplay, surfacelessDisplay};
+  if (renderer == Renderer::hardware_first) ways.insert(ways.begin(), hardwareDisplay);
+  EGLint error = EGL_SUCCESS;
+  for (const auto open : ways) {
     display_ = open(client_extensions);
-    if (display_ != EGL_NO_DISPLAY && eglInitialize(display_, nullptr, nullptr)) break;
-    display_ = EGL_NO_DISPLAY;
+    if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) continue;
+    is_software_ = open != hardwareDisplay;
+    if (eglBindAPI(EGL_OPENGL_API)) context_ = createContext(display_);
+    if (context_ != EGL_NO_CONTEXT && eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return;
+    error = eglGetError();
+    if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+    context_ = EGL_NO_CONTEXT;
   }
-  if (display_ == EGL_NO_DISPLAY) fail("EGL offers no display", eglGetError());
-  if (eglBindAPI(EGL_OPENGL_API)) context_ = createContext(display_);
-  if (context_ != EGL_NO_CONTEXT && eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return;
-  const EGLint error = eglGetError();
-  if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
-  fail("no context of OpenGL 3.2", error);
+  if (error != EGL_SUCCESS) fail("no context of OpenGL 3.2", error);
+  fail("EGL offers no display", eglGetError());
+}
+
+void OffscreenContext::makeCurrent() const {
+  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) fail("the context is lost", eglGetError());
 }
 
 // The display is not terminated: EGL keeps one for the whole process, and Mesa's driver leaks memory each time it is
 // unloaded.
 OffscreenContext::~OffscreenContext() {
-  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  if (eglGetCurrentContext() == context_) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
 }
 

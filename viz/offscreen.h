@@ -1,23 +1,31 @@
 // An OpenGL context without a display or a window, for rendering to memory.
 //
-// The context is created through EGL.  A software rasteriser is preferred to the graphics card, because it needs no
-// permission to use a device and draws the same picture on every machine.
+// The context is created through EGL.  For files a software rasteriser is preferred to the graphics card, because it
+// needs no permission to use a device and draws the same picture on every machine.
 #pragma once
 
 #include <EGL/egl.h>
 
 namespace ease {
 
-/// An OpenGL context that is current in the calling thread from construction to destruction.
+enum class Renderer { software_first, hardware_first };
+
+/// An OpenGL context that is current in the calling thread from construction to destruction, or until another one is.
 class OffscreenContext {
  public:
   /// Creates the context.  Throws ComputationError with the reason if that is not possible.
-  OffscreenContext();
+  explicit OffscreenContext(Renderer renderer = Renderer::software_first);
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
+  /// Makes the context current in the calling thread again, of which there must be only one.
+  void makeCurrent() const;
+  /// Whether it draws in software, as far as EGL tells.
+  bool isSoftware() const { return is_software_; }
+
  private:
+  bool is_software_ = true;
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
 };

@@ -11,24 +11,13 @@
 #include "solver/base/error.h"
 #include "solver/base/whole_file.h"
 #include "viz/offscreen.h"
+#include "viz/quiet.h"
 
 namespace ease {
 
 namespace {
 
 constexpr double kLevelStep = 3;  // of 255 levels; invisible, and files are a third smaller
-
-/// Keeps VTK and its OpenGL loader from printing on the terminal during the lifetime of the object.
-class Quiet {
- public:
-  Quiet() { vtkObject::GlobalWarningDisplayOff(); }
-  ~Quiet() { vtkObject::SetGlobalWarningDisplay(before_); }
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
-
- private:
-  vtkTypeBool before_ = vtkObject::GetGlobalWarningDisplay();
-};
 
 /// Returns the window's pixels, each of them the mean of the samples rendered for it.
 vtkSmartPointer<vtkImageData> averagedPixels(vtkRenderWindow* window, int width, int height) {

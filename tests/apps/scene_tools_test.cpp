@@ -127,3 +127,26 @@ TEST_CASE("tools without boundaries, without a body or beside a finished garment
   CHECK_THAT(errorOf(kBody + "[[garment.boundary]]\nname = 'a'\nvertices = [1, 2, 3]\n"),
              EndsWith("expected a table [garment.region] with a seed, since there are boundaries"));
 }
+
+TEST_CASE("paint and comfort take a stroke's points in place of a ball's middle") {
+  const Scene scene = sceneOf(kTube +
+                              "[[garment.paint]]\npoints = [[0, 1, 0.1], [0.1, 1, 0.1]]\nradius = 0.1\nscale = 1.2\n"
+                              "[[garment.comfort.region]]\npoints = [[0, 1, 0.1]]\nradius = 0.1\noffset = 0.02\n");
+  REQUIRE(scene.garment.paint.size() == 1);
+  CHECK(scene.garment.paint.front().stroke.size() == 2);
+  CHECK(scene.garment.paint.front().at == Vec3(0, 1, 0.1));
+  CHECK(scene.garment.comfort_regions.front().stroke.size() == 1);
+  CHECK_THAT(errorOf(kTube + "[[garment.paint]]\npoints = [[0, 1, 0]]\nat = [0, 1, 0]\nradius = 0.1\nscale = 1.2\n"),
+             Contains("either at, a ball, or points, a stroke, not both"));
+}
+
+TEST_CASE("a draft may lack a garment or a region, which a scene may not") {
+  const std::string body = "[body]\nbuiltin = 'mannequin'\nposes = ['t']\n";
+  CHECK(readDraft(body, "new.toml").garment.is_draft);
+  const std::string loop = "[[garment.boundary]]\nname = 'a'\nvertices = [1, 2, 3]\n";
+  CHECK(readDraft(body + loop, "new.toml").garment.tools->boundaries.size() == 1);
+  CHECK(readDraft(body + loop, "new.toml").garment.is_draft);
+  CHECK_FALSE(readDraft(body + loop + "[garment.region]\nseed = [0, 1, 0]\n", "new.toml").garment.is_draft);
+  CHECK_THAT(messageOf<InputError>([&] { readDraft(body + "[garment]\ncolour = 3\n", "new.toml"); }),
+             Contains("'colour' is not a known key"));
+}

@@ -1,5 +1,6 @@
 #include "garment/paint.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "solver/base/error.h"
@@ -52,4 +53,20 @@ TEST_CASE("more paint leads from one painting to the other, and the same is noth
   CHECK(paintBetween(some, other) == std::vector<double>{1.5 / 1.2, 0.8});
   CHECK(paintBetween(some, some).empty());
   CHECK(paintBetween(none, none).empty());
+}
+
+TEST_CASE("a stroke that passes a place twice paints it once, and no further than a ball does") {
+  const TriangleMesh sheet = makeSheet(40, 40, 1.0, 1.0);
+  const Vec3 left(0.3, 0.5, 0.0), right(0.7, 0.5, 0.0);
+  const std::vector<double> once = paintedScales(sheet, {{left, 0.2, 1.2, {left, right}}});
+  const std::vector<double> twice = paintedScales(sheet, {{left, 0.2, 1.2, {left, right, left}}});
+  double difference = 0.0;
+  for (size_t t = 0; t < once.size(); ++t) difference = std::max(difference, std::abs(once[t] - twice[t]));
+  CHECK(difference < 1e-12);
+  CHECK(*std::max_element(once.begin(), once.end()) == 1.2);
+  // At its ends it is a ball, and half way it acts in full.
+  const Brush stroke{left, 0.2, 1.2, {left, right}}, ball{left, 0.2, 1.2};
+  CHECK(brushWeight(stroke, {0.15, 0.5, 0.0}) == brushWeight(ball, {0.15, 0.5, 0.0}));
+  CHECK(brushWeight(stroke, {0.5, 0.55, 0.0}) == 1.0);
+  CHECK(brushWeight(ball, {0.5, 0.55, 0.0}) < 0.1);
 }

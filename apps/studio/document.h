@@ -1,0 +1,65 @@
+// The scene that is being edited: its text, with undo, and the file that it is saved to.
+//
+// Every gesture is a new text, which is read as any scene; one that cannot be read is refused and changes nothing. What
+// is not saved yet lies in FILE~, which is read again after a crash.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "apps/scene.h"
+#include "apps/studio/scene_text.h"
+
+namespace ease {
+
+class Document {
+ public:
+  /// Begins with this text.  `file`: what it is saved to, and what its file names are relative to.  Throws InputError
+  /// if it is no scene, nor a draft of one.
+  Document(std::string text, std::filesystem::path file);
+  /// Reads a file, or, if a crash left newer unsaved work beside it, that.
+  static Document open(const std::filesystem::path& file);
+  /// A new scene on the built-in body without a garment.
+  static Document builtin(const std::filesystem::path& file);
+
+  const std::string& text() const { return history_[now_].text; }
+  const Scene& scene() const { return scene_; }
+  const std::filesystem::path& file() const { return file_; }
+  bool isSaved() const { return text() == saved_text_; }
+  bool wasRecovered() const { return was_recovered_; }
+
+  /// Takes a gesture's text.  Throws InputError if it is no scene; nothing has changed then.
+  void apply(const std::string& text, const std::string& gesture);
+  bool canUndo() const { return now_ > 0; }
+  bool canRedo() const { return now_ + 1 < history_.size(); }
+  /// Each returns the name of the gesture that was undone or done again; empty: there was none.
+  std::string undo();
+  std::string redo();
+  /// Takes back the last gesture for good, as if it had been refused.
+  void dropLast();
+
+  /// Writes the file whole.  Throws ComputationError if that fails.
+  void save();
+  void saveAs(const std::filesystem::path& file);
+  /// Forgets the unsaved work beside the file.
+  void discardUnsaved() const;
+
+  /// The file beside `file` that keeps unsaved work.
+  static std::filesystem::path unsavedFile(const std::filesystem::path& file);
+
+ private:
+  struct Version {
+    std::string text, gesture;
+  };
+  void readAgain();
+
+  std::filesystem::path file_;
+  std::vector<Version> history_;
+  size_t now_ = 0;
+  std::string saved_text_;
+  bool was_recovered_ = false;
+  Scene scene_;
+};
+
+}  // namespace ease

@@ -1,0 +1,268 @@
+#include "apps/studio/live_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/painted_rest.h"
+#include "apps/scene_run.h"
+#include "apps/studio/carry_over.h"
+#include "garment/paint.h"
+#include "solver/base/error.h"
+#include "solver/base/parallel.h"
+
+namespace ease {
+
+namespace {
+
+constexpr double kBeyondComfort = 0.025;  // m: width beyond the comfort offset where level sets are exact
+constexpr double kRoomForComfort = 0.02;  // m: comfort offset up to which the body need not be made anew
+constexpr double kEnoughTied = 0.3;       // share of the new vertices on the old mesh; with fewer it is another garment
+constexpr double kUsualLimit = 0.1;
+
+}  // namespace
+
+LiveRun::LiveRun(std::shared_ptr<const MadeGarment> made) : made_(std::move(made)) {
+  startOver();
+}
+
+double LiveRun::limit() const {
+  return made_->scene.adaption ? made_->scene.adaption->limit : kUsualLimit;
+}
+
+double LiveRun::largestOffset() const {
+  const std::vector<double>& offsets = made_->input.offsets;
+  return std::max(kRoomForComfort, *std::max_element(offsets.begin(), offsets.end()));
+}
+
+void LiveRun::makeCloth() {
+  const Scene& scene = made_->scene;
+  paint_ = made_->input.paint;
+  cloth_.emplace(made_->input.garment, scene.garment.grain, scene.material);
+  if (!paint_.empty()) paintFirstRest(paint_, *cloth_);
+  ordering_ = systemOrdering(cloth_->vertexCount(), cloth_->triangles());
+}
+
+void LiveRun::makeStep() {
+  settings_ = runSettings(made_->scene, replaySchedule(made_->scene));
+  step_ = std::make_unique<TimeStep>(*cloth_, settings_->method, ordering_);
+  adaption_ = std::make_unique<RestAdaption>(*cloth_, limit(), ordering_);
+}
+
+void LiveRun::startOver() {
+  makeCloth();
+  makeStep();
+  state_ = {made_->input.garment.positions, Positions::Zero(cloth_->vertexCount(), 3)};
+  penetration_ = {};
+  steps_ = 0;
+  adaptions_ = 0;
+  pose_ = 0;
+  if (!made_->input.poses.empty()) {
+    stand(made_->input.poses.front());
+  } else {
+    part_s_ = settings_->schedule.time_step;
+    stiffness_ = settings_->contact_stiffness;
+  }
+  setPins({});
+  measureStretch(*cloth_, state_.positions, stretch_);
+}
+
+void LiveRun::stand(const Positions& body) {
+  leaveFor({body});
+}
+
+/// The body goes from the first of these poses to the second, or stays on the only one.
+void LiveRun::leaveFor(const std::vector<Positions>& poses) {
+  Schedule& schedule = settings_->schedule;
+  schedule.poses = static_cast<int>(poses.size());
+  schedule.cycles = 1;
+  body_motion_ = poses.size() > 1 ? bodyMotionPerStep(schedule, poses, state_.positions) : 0.0;
+  const Substeps substeps =
+      poses.size() > 1 ? chooseSubsteps(schedule, body_motion_, settings_->comfort_offset) : Substeps();
+  band_ = largestOffset();
+  contacts_.reset();
+  body_ = std::make_unique<MovingBody>(made_->input.body_triangles, poses,
+                                       schedule.interpolation_steps * substeps.interpolation,
+                                       LevelSetOptions{made_->scene.collision.voxel, kBeyondComfort + band_});
+  substeps_ = substeps;
+  way_steps_ = poses.size() > 1 ? timeStepsOfMotion(schedule) : 0;
+  moving_ = 0;
+  meetBody();
+}
+
+/// Contact of the present cloth with the present body.
+void LiveRun::meetBody() {
+  part_s_ = settings_->schedule.time_step / substeps_.time;
+  const double motion = body_motion_ / substeps_.time;
+  stiffness_ = contactStiffness(*settings_, motion / part_s_, *cloth_);
+  contacts_ = std::make_unique<BodyContacts>(*body_, *cloth_, made_->input.offsets, settings_->schedule, substeps_,
+                                             kRecoverySpeed * part_s_ + motion);
+  contacts_->prepareFirst({moving_, moving_, 0}, state_.positions);
+  state_.normal_forces.clear();
+}
+
+Positions LiveRun::bodyNow() const {
+  Positions body;
+  if (body_) body_->positions(contacts_->bodyAt(StepsDone{moving_, moving_, 0}), body);
+  return body;
+}
+
+void LiveRun::goTo(int pose) {
+  if (!body_ || pose < 0 || pose >= static_cast<int>(made_->input.poses.size())) return;
+  const std::vector<PinAnchor> anchors = pins_.anchors();
+  leaveFor({bodyNow(), made_->input.poses[pose]});
+  pose_ = pose;
+  setPins(anchors);
+}
+
+void LiveRun::setPins(const std::vector<PinAnchor>& earlier) {
+  std::vector<PinnedVertices> pins;
+  for (size_t k = 0; k < made_->input.pins.size(); ++k)
+    pins.push_back({made_->input.pins[k], made_->scene.garment.pins[k].to_body});
+  pins_.set(pins, earlier, state_.positions, bodyNow(), made_->input.body_triangles);
+  step_->forget();
+}
+
+Moment LiveRun::nextMoment() const {
+  Moment moment;
+  moment.moves = moving_ < way_steps_;
+  moment.done = {moving_ + (moment.moves ? 1 : 0), moving_ + (moment.moves ? 1 : 0), 0};
+  return moment;
+}
+
+void LiveRun::step() {
+  const Moment moment = nextMoment();
+  for (int part = 1; part <= substeps_.time; ++part) {
+    TaskBeside beside;
+    if (contacts_) contacts_->prepareNext(moment, part, state_, part_s_, beside);
+    stepPart(moment, part);
+    beside.wait();
+  }
+  moving_ = moment.done.moving;
+  ++steps_;
+  if (!adapts_ || steps_ % measureEvery() != 0) return;
+  measureStretch(*cloth_, state_.positions, stretch_);
+  if (adaption_->adapt(stretch_)) ++adaptions_;
+}
+
+void LiveRun::stepPart(const Moment& moment, int part) {
+  const StepOptions options{part_s_, settings_->gravity, stiffness_, settings_->friction};
+  if (!contacts_) {
+    step_->step(state_, options, pins_.at(nullptr), [](const Positions&, Contacts&) {});
+    return;
+  }
+  const double s = contacts_->bodyAt(moment, part);
+  const std::optional<double> start =
+      settings_->friction > 0.0 ? std::optional(contacts_->bodyAt(moment, part - 1)) : std::nullopt;
+  const BodyMoment body = body_->at(s);
+  step_->step(state_, options, pins_.at(&body),
+              [&](const Positions& x, Contacts& contacts) { contacts_->find(s, x, contacts, start); });
+  contacts_->measureSinceFind(state_.positions);
+  contacts_->deepen(penetration_);
+}
+
+std::string LiveRun::change(std::shared_ptr<const MadeGarment> made) {
+  const std::shared_ptr<const MadeGarment> before = std::exchange(made_, std::move(made));
+  const Triangles &old_triangles = before->input.garment.triangles, &triangles = made_->input.garment.triangles;
+  const bool same_mesh = old_triangles.rows() == triangles.rows() && old_triangles == triangles;
+  return same_mesh ? changeInPlace(*before) : changeMesh(*before);
+}
+
+std::string LiveRun::changeInPlace(const MadeGarment& before) {
+  const std::vector<PinAnchor> anchors = pins_.anchors();
+  const auto material = [](const MadeGarment& made) {
+    const Material& m = made.scene.material;
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", m.density, m.total_mass.value_or(0), m.stretch_warp,
+                       m.stretch_weft, m.compression, m.shear, m.bending, m.mu, m.lambda, m.damping_stretch,
+                       m.damping_shear, m.damping_bending);
+  };
+  const auto settings = [&](const MadeGarment& made) {  // all that the step and the adaption are made for
+    const Scene& scene = made.scene;
+    return fmt::format("{} {} {} {}", material(made), scene.adaption ? scene.adaption->limit : kUsualLimit,
+                       scene.collision.friction, scene.collision.offset);
+  };
+  if (material(before) != material(*made_)) {  // the rest shapes stay
+    const RestShape first = cloth_->first(), rest = cloth_->rest();
+    cloth_.emplace(made_->input.garment, made_->scene.garment.grain, made_->scene.material);
+    cloth_->setFirst(first);
+    cloth_->setRest(rest);
+  }
+  if (settings(before) != settings(*made_)) {
+    const std::vector<Mat2> wanted = adaption_->wantedEdges();
+    const Schedule on_the_way = settings_->schedule;
+    makeStep();
+    settings_->schedule = on_the_way;
+    adaption_->resume(wanted);
+  }
+  const std::vector<double> more = paintBetween(paint_, made_->input.paint);
+  if (!more.empty()) adaption_->rescale(more);
+  paint_ = made_->input.paint;
+  const bool meets_anew = settings(before) != settings(*made_) || before.input.offsets != made_->input.offsets;
+  if (body_ && meets_anew) {
+    if (largestOffset() > band_) {  // the level sets do not reach that far
+      if (moving_ < way_steps_)
+        leaveFor({bodyNow(), made_->input.poses[pose_]});
+      else
+        stand(bodyNow());
+    } else {
+      meetBody();
+    }
+  }
+  setPins(anchors);
+  measureStretch(*cloth_, state_.positions, stretch_);
+  return "taken in while it runs";
+}
+
+std::string LiveRun::changeMesh(const MadeGarment& before) {
+  std::vector<double> ratio(cloth_->triangleCount());
+  for (int t = 0; t < cloth_->triangleCount(); ++t)
+    ratio[t] = cloth_->restAreas()[t] / (0.5 * cloth_->first().edges[t].determinant());
+  const TriangleMesh& mesh = made_->input.garment;
+  const CarriedCloth carried =
+      carryOver(before.input.garment, state_.positions, state_.velocities, ratio, mesh, buildTopology(mesh, "garment"));
+  if (carried.tied < kEnoughTied * static_cast<double>(mesh.positions.rows())) {
+    startOver();
+    return "another garment: started over on the first pose";
+  }
+  const Schedule on_the_way = settings_->schedule;
+  contacts_.reset();
+  makeCloth();
+  makeStep();
+  settings_->schedule = on_the_way;
+  if (std::any_of(carried.growth.begin(), carried.growth.end(), [](double g) { return std::abs(g - 1.0) > 1e-6; }))
+    adaption_->rescale(carried.growth);
+  state_ = {carried.positions, carried.velocities};
+  if (body_) meetBody();
+  setPins({});
+  measureStretch(*cloth_, state_.positions, stretch_);
+  return fmt::format("carried over: {} of {} vertices lie on the cloth that was there", carried.tied,
+                     mesh.positions.rows());
+}
+
+LiveFrame LiveRun::frame(bool all) {
+  LiveFrame frame;
+  frame.made = made_;
+  frame.garment = state_.positions;
+  frame.body = bodyNow();
+  frame.rest = cloth_->restPositions();
+  measureStretch(*cloth_, state_.positions, stretch_);
+  frame.stretch = stretch_;
+  frame.statistics = momentStatistics(stretch_, limit());
+  for (int t = 0; t < cloth_->triangleCount(); ++t)
+    frame.growth.push_back(cloth_->restAreas()[t] / (0.5 * cloth_->first().edges[t].determinant()));
+  if (all && contacts_) {
+    contacts_->measure(contacts_->bodyAt(StepsDone{moving_, moving_, 0}), state_.positions);
+    for (int v = 0; v < cloth_->vertexCount(); ++v)
+      frame.gap.push_back(contacts_->distances()[v] - made_->input.offsets[v]);
+    if (steps_ > 0) step_->potential().contactPressure(state_.positions, frame.pressure);
+  }
+  frame.deepest = std::max({penetration_.vertices, penetration_.edge_midpoints, penetration_.centroids});
+  frame.steps = steps_;
+  frame.time_s = static_cast<double>(steps_) * settings_->schedule.time_step;
+  frame.pose = pose_;
+  frame.way = way_steps_ > 0 ? static_cast<double>(moving_) / way_steps_ : 1.0;
+  frame.adaptions = adaptions_;
+  return frame;
+}
+
+}  // namespace ease

@@ -1,0 +1,268 @@
+#include "apps/studio/main_window.h"
+
+#include <QCloseEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QMessageBox>
+#include <QSettings>
+#include <QStatusBar>
+#include <algorithm>
+
+#include "apps/studio/report_text.h"
+#include "solver/base/error.h"
+
+namespace ease {
+
+namespace {
+
+constexpr int kTick = 15;               // ms, between looks for news
+constexpr double kDrawingShare = 0.35;  // of the time, at most, while simulating
+constexpr double kFastest = 33.0;       // ms between two pictures
+constexpr double kSlowest = 80.0;       // ms between two pictures at most, unless a picture takes half of that
+constexpr int kReportTick = 500;        // ms
+
+}  // namespace
+
+MainWindow::MainWindow(Document document) {
+  resize(1280, 800);
+  centre_ = new QWidget;
+  auto* row = new QHBoxLayout(centre_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2);
+  setCentralWidget(centre_);
+  status_ = new QLabel;
+  status_->setWordWrap(true);
+  status_->setFixedHeight(2 * fontMetrics().height() + 2);
+  status_->setMinimumWidth(100);
+  way_ = new QProgressBar;
+  way_->setRange(0, 100);
+  way_->setFixedWidth(150);
+  way_->setFormat("pose %p %");
+  statusBar()->addWidget(status_, 1);
+  statusBar()->addPermanentWidget(way_);
+  studio_ = std::make_unique<Studio>(std::move(document));
+  view_ = new ViewWidget(*studio_, ViewWidget::Content::simulated);
+  other_ = new ViewWidget(*studio_, ViewWidget::Content::rest);
+  other_->hide();
+  row->addWidget(view_, 1);
+  row->addWidget(other_, 1);
+  makeDocks();
+  makeActions();
+  const auto used = [this] {
+    tool_panel_->showSettings();
+    sync();
+  };
+  connect(view_, &ViewWidget::used, this, used);
+  connect(view_, &ViewWidget::pointedAt, this, [this](const QString& words) { under_->setText(words); });
+  connect(view_, &ViewWidget::cameraChanged, this, [this] { other_->refresh(); });
+  connect(other_, &ViewWidget::cameraChanged, this, [this] { view_->refresh(); });
+  connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
+  clock_.start();
+  since_frame_.start();
+  timer_.start(kTick);
+  chooseTool(PartKind::boundary);
+  frameView();
+  QTimer::singleShot(0, this, [this] { showPoses(); });
+  sync();
+}
+
+MainWindow::~MainWindow() {
+  timer_.stop();
+}
+
+void MainWindow::chooseTool(PartKind kind) {
+  tool_kind_ = kind;
+  view_->setTool(nullptr);
+  tool_ = makeTool(kind, *studio_);
+  view_->setTool(tool_.get());
+  tool_panel_->setTool(kind);
+  tools_->actions()[static_cast<int>(kind)]->setChecked(true);
+  studio_->say(tool_->hint());
+  sync();
+}
+
+void MainWindow::tick() {
+  const double draw_ms = 1000.0 * view_->drawSeconds();
+  const double pause_ms = std::clamp(draw_ms / kDrawingShare, kFastest, std::max(kSlowest, 2.0 * draw_ms));
+  if (studio_->simulation().plays() && static_cast<double>(since_frame_.elapsed()) >= pause_ms) {
+    studio_->simulation().wantFrame(view_->shown() == Shown::pressure || view_->shown() == Shown::ease);
+    since_frame_.restart();
+  }
+  if (studio_->poll()) {
+    view_->refresh();
+    if (other_->isVisible()) other_->refresh();
+    sync();
+  }
+  if (clock_.elapsed() < kReportTick) return;
+  const double seconds = 0.001 * static_cast<double>(clock_.restart());
+  const long made = studio_->simulation().stepsMade(), drawn = view_->drawn();
+  steps_per_s_ = static_cast<double>(made - steps_before_) / seconds;
+  frames_per_s_ = static_cast<double>(drawn - drawn_before_) / seconds;
+  steps_before_ = made;
+  drawn_before_ = drawn;
+  report_->setText(studio_->frame() ? reportText(*studio_->frame(), steps_per_s_, frames_per_s_) : "No garment yet.");
+}
+
+void MainWindow::sync() {
+  if (text_revision_ != studio_->textRevision()) {
+    text_revision_ = studio_->textRevision();
+    parts_->list();
+    cloth_panel_->showScene();
+    scene_text_->show(QString::fromStdString(studio_->text()));
+    showTitle();
+  }
+  if (mesh_revision_ != studio_->meshRevision()) {
+    mesh_revision_ = studio_->meshRevision();
+    view_->refresh();
+    other_->refresh();
+  }
+  play_->setChecked(studio_->simulation().plays());
+  adapt_->setChecked(studio_->adapts());
+  undo_->setEnabled(studio_->document().canUndo());
+  redo_->setEnabled(studio_->document().canRedo());
+  showStatus();
+}
+
+void MainWindow::showStatus() {
+  const QString text = QString::fromStdString(studio_->words());
+  way_->setValue(studio_->frame() ? static_cast<int>(100.0 * studio_->frame()->way) : 100);
+  if (text == status_text_ && status_->property("refusal").toBool() == studio_->isRefusal()) return;
+  status_text_ = text;
+  status_->setProperty("refusal", studio_->isRefusal());
+  status_->setStyleSheet(studio_->isRefusal() ? "color: #a02000; font-weight: bold" : "");
+  status_->setText((studio_->isRefusal() ? QString::fromUtf8("✕ ") : QString()) + text);
+  status_->setToolTip(text);
+}
+
+void MainWindow::showTitle() {
+  setWindowTitle(QString("%1%2 - Ease Studio")
+                     .arg(QString::fromStdString(studio_->document().file().filename().string()),
+                          studio_->document().isSaved() ? "" : "*"));
+}
+
+void MainWindow::showPoses() {
+  poses_->clear();
+  for (size_t k = 0; k < studio_->bodyInput().pose_names.size(); ++k)
+    poses_->addItem(new QListWidgetItem(QIcon(QPixmap::fromImage(view_->poseImage(static_cast<int>(k)))),
+                                        QString::fromStdString(studio_->bodyInput().pose_names[k])));
+  view_->refresh();
+}
+
+void MainWindow::look(double yaw_deg, double pitch_deg) {
+  studio_->stage.camera.yaw_deg = yaw_deg;
+  studio_->stage.camera.pitch_deg = pitch_deg;
+  view_->refresh();
+  other_->refresh();
+}
+
+void MainWindow::frameView() {
+  const Stage& stage = studio_->stage;
+  const Positions& x = stage.hasCloth() && parts_->selected() ? stage.cloth() : stage.body();
+  studio_->stage.camera.frame(x.colwise().minCoeff(), x.colwise().maxCoeff(),
+                              {std::max(1, view_->width()), std::max(1, view_->height())});
+  view_->refresh();
+  other_->refresh();
+}
+
+void MainWindow::compare(ViewWidget::Content content) {
+  const bool hides = content == ViewWidget::Content::simulated;
+  if (!hides) other_->setContent(content);
+  other_->setVisible(!hides);
+  other_->refresh();
+}
+
+void MainWindow::changeRadius(double factor) {
+  studio_->settings.radius = std::clamp(studio_->settings.radius * factor, 0.005, 1.0);
+  tool_panel_->showSettings();
+  studio_->say(tool_->hint());
+  view_->refresh();
+  sync();
+}
+
+bool MainWindow::save() {
+  try {
+    studio_->document().save();
+    studio_->say("saved as " + studio_->document().file().string());
+  } catch (const std::exception& error) {
+    studio_->refuse(error.what());
+  }
+  showTitle();
+  sync();
+  return studio_->document().isSaved();
+}
+
+void MainWindow::saveAs() {
+  const QString file = QFileDialog::getSaveFileName(
+      this, "Save the scene as", QString::fromStdString(studio_->document().file().string()), "Scenes (*.toml)");
+  if (file.isEmpty()) return;
+  try {
+    studio_->document().saveAs(file.toStdString());
+    studio_->say("saved as " + file.toStdString());
+  } catch (const std::exception& error) {
+    studio_->refuse(error.what());
+  }
+  showTitle();
+  sync();
+}
+
+void MainWindow::exportPicture() {
+  const QString file = QFileDialog::getSaveFileName(this, "Save the picture as", "garment.png", "Pictures (*.png)");
+  if (file.isEmpty()) return;
+  if (view_->picture(2).save(file))
+    studio_->say("picture saved as " + file.toStdString());
+  else
+    studio_->refuse(file.toStdString() + ": the picture cannot be written there");
+  sync();
+}
+
+bool MainWindow::mayDropWork() {
+  if (studio_->document().isSaved()) return true;
+  const auto answer = QMessageBox::question(this, "Unsaved work", "Save the scene first?",
+                                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  if (answer == QMessageBox::Cancel) return false;
+  if (answer == QMessageBox::Save) return save();
+  studio_->document().discardUnsaved();
+  return true;
+}
+
+bool MainWindow::open(const QString& file, bool asks) {
+  if (asks && !mayDropWork()) return false;
+  try {
+    Document document = Document::open(file.toStdString());
+    auto* window = new MainWindow(std::move(document));
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    window->setGeometry(geometry());
+    window->show();
+    studio_->document().discardUnsaved();
+    setAttribute(Qt::WA_DeleteOnClose);
+    asks_ = false;
+    close();
+    return true;
+  } catch (const std::exception& error) {
+    studio_->refuse(error.what());
+    sync();
+    return false;
+  }
+}
+
+RunDialog* MainWindow::run() {
+  if (studio_->scene().garment.is_draft) {
+    studio_->refuse("there is no garment to run yet: draw boundaries, then click a region");
+    sync();
+    return nullptr;
+  }
+  if (!save()) return nullptr;
+  studio_->play(false);
+  const std::filesystem::path file = std::filesystem::absolute(studio_->document().file());
+  const std::filesystem::path results = file.parent_path() / "results" / studio_->scene().name;
+  auto* dialog = new RunDialog(QString::fromStdString(file.string()), QString::fromStdString(results.string()), this);
+  dialog->show();
+  return dialog;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (asks_ && !mayDropWork()) return event->ignore();
+  event->accept();
+}
+
+}  // namespace ease

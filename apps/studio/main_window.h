@@ -1,0 +1,96 @@
+// The window of the editor: the view in the middle, tools on the left, lists and settings on the right.
+#pragma once
+
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QListWidget>
+#include <QMainWindow>
+#include <QProgressBar>
+#include <QTimer>
+#include <memory>
+
+#include "apps/studio/cloth_panel.h"
+#include "apps/studio/parts_tree.h"
+#include "apps/studio/run_dialog.h"
+#include "apps/studio/scene_panel.h"
+#include "apps/studio/tool_panel.h"
+#include "apps/studio/view_widget.h"
+
+namespace ease {
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(Document document);
+  ~MainWindow() override;
+
+  Studio& studio() { return *studio_; }
+  ViewWidget& view() { return *view_; }
+  Tool& tool() { return *tool_; }
+  void chooseTool(PartKind kind);
+  /// Takes what the other threads have finished, and shows what is new.
+  void sync();
+  /// Saves without asking; returns whether that succeeded.
+  bool save();
+  /// Opens another scene; asks about unsaved work if `asks`.
+  bool open(const QString& file, bool asks = true);
+  /// Does what `ease run` does with the saved scene.
+  RunDialog* run();
+  const QString& statusText() const { return status_text_; }
+  double stepsPerSecond() const { return steps_per_s_; }
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void makeDocks();
+  QDockWidget* addDock(const QString& title, QWidget* content);
+  void makeActions();
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeViewMenu();
+  void makeToolBar();
+  void makeSimulationMenu();
+  void makeSettingsMenu();
+  QAction* add(QMenu* menu, const QString& text, const QString& keys, const QString& tip,
+               const std::function<void()>& act);
+  void showStatus();
+  void showTitle();
+  void showPoses();
+  void look(double yaw_deg, double pitch_deg);
+  void frameView();
+  void compare(ViewWidget::Content content);
+  void saveAs();
+  void exportPicture();
+  bool mayDropWork();
+  void changeRadius(double factor);
+  void tick();
+
+  std::unique_ptr<Studio> studio_;
+  std::unique_ptr<Tool> tool_;
+  PartKind tool_kind_ = PartKind::boundary;
+  QWidget* centre_ = nullptr;
+  ViewWidget *view_ = nullptr, *other_ = nullptr;
+  ToolPanel* tool_panel_ = nullptr;
+  ClothPanel* cloth_panel_ = nullptr;
+  PartsTree* parts_ = nullptr;
+  QListWidget* poses_ = nullptr;
+  QLabel *report_ = nullptr, *under_ = nullptr, *status_ = nullptr;
+  ScenePanel* scene_text_ = nullptr;
+  QProgressBar* way_ = nullptr;
+  QActionGroup *tools_ = nullptr, *shown_ = nullptr;
+  QAction *play_ = nullptr, *adapt_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
+  QTimer timer_;
+  QElapsedTimer clock_, since_frame_;
+  QString status_text_;
+  int text_revision_ = -1, mesh_revision_ = -1;
+  double steps_per_s_ = 0.0;
+  long steps_before_ = 0, drawn_before_ = 0;
+  double frames_per_s_ = 0.0;
+  bool asks_ = true;  // about unsaved work, on closing
+};
+
+}  // namespace ease

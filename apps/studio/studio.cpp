@@ -1,0 +1,227 @@
+#include "apps/studio/studio.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "solver/base/error.h"
+
+namespace ease {
+
+namespace {
+
+/// A message without the file's name in front, which the window's title tells.
+std::string shortened(std::string message, const std::filesystem::path& file) {
+  const std::string name = file.string();
+  if (message.compare(0, name.size(), name) != 0) return message;
+  const size_t end = message.find(": ", name.size());
+  return end == std::string::npos ? message : message.substr(end + 2);
+}
+
+}  // namespace
+
+Studio::Studio(Document document, std::function<void()> on_news)
+    : on_news_(std::move(on_news)), document_(std::move(document)) {
+  if (!scene().body)
+    throw InputError(
+        fmt::format("{}: has no [body]: expected one, which the garment is made on", document_.file().string()));
+  body_ = readBodyInput(scene());
+  body_mesh_ = {body_.poses.front(), body_.body_triangles};
+  body_topology_ = buildTopology(body_mesh_, "body");
+  body_paths_ = std::make_unique<SurfacePaths>(body_mesh_, body_topology_);
+  stage.setBody(body_mesh_.triangles, body_mesh_.positions);
+  adapts_ = scene().adaption.has_value();
+  simulation_ = std::make_unique<Simulation>(on_news_);
+  if (document_.wasRecovered()) say("unsaved work from last time is back; save it, or undo to drop it");
+  startMaking(false);
+}
+
+Studio::~Studio() {
+  gives_up_ = true;
+  if (making_.valid()) making_.wait();
+}
+
+void Studio::say(const std::string& words) {
+  words_ = words;
+  is_refusal_ = false;
+}
+
+void Studio::refuse(const std::string& why) {
+  words_ = shortened(why, document_.file());
+  is_refusal_ = true;
+}
+
+bool Studio::isBusy() {
+  if (!isMaking()) return false;
+  refuse("the garment is still being made: wait a moment, then try again");
+  return true;
+}
+
+bool Studio::gesture(const std::string& text, const std::string& name) {
+  if (isBusy()) return false;
+  try {
+    document_.apply(text, name);
+  } catch (const InputError& error) {
+    refuse(error.what());
+    return false;
+  }
+  ++text_revision_;
+  say(name + " ...");
+  startMaking(true);
+  return true;
+}
+
+void Studio::undo() {
+  if (isBusy()) return;
+  const std::string gesture = document_.undo();
+  if (gesture.empty()) return refuse("nothing to undo");
+  ++text_revision_;
+  say("undone: " + gesture);
+  startMaking(false);
+}
+
+void Studio::redo() {
+  if (isBusy()) return;
+  const std::string gesture = document_.redo();
+  if (gesture.empty()) return refuse("nothing to do again");
+  ++text_revision_;
+  say("done again: " + gesture);
+  startMaking(false);
+}
+
+void Studio::startMaking(bool by_gesture) {
+  made_by_gesture_ = by_gesture;
+  making_ = std::async(std::launch::async, [this, text = text(), scene = scene(), last = made_] {
+    const auto pause = [this] {
+      if (gives_up_) throw Interrupted();
+    };
+    struct News {  // also when making fails
+      const std::function<void()>& tell;
+      ~News() {
+        if (tell) tell();
+      }
+    } news{on_news_};
+    return makeGarment(text, scene, body_, last.get(), pause);
+  });
+}
+
+void Studio::takeMade() {
+  try {
+    auto made = std::make_shared<const MadeGarment>(making_.get());
+    made_ = std::move(made);
+    if (!made_->input.warnings.empty()) say(shortened(made_->input.warnings.back(), document_.file()));
+    showMade();
+  } catch (const std::exception& error) {
+    if (made_by_gesture_) document_.dropLast();
+    ++text_revision_;
+    refuse(error.what());
+  }
+  ++mesh_revision_;
+}
+
+void Studio::showMade() {
+  if (!made_->hasGarment()) {
+    simulation_->play(false);
+    simulation_->post([](std::unique_ptr<LiveRun>& run) {
+      run.reset();
+      return std::string();
+    });
+    frame_.reset();
+    stage.removeCloth();
+    stage.moveBody(body_.poses[pose_]);
+    if (!is_refusal_ && words_.size() > 4 && words_.substr(words_.size() - 4) == " ...")
+      words_.resize(words_.size() - 4);
+    return;
+  }
+  simulation_->post([made = made_, adapts = adapts_, pose = pose_](std::unique_ptr<LiveRun>& run) {
+    if (run) return run->change(made);
+    run = std::make_unique<LiveRun>(made);
+    run->setAdapting(adapts);
+    if (pose > 0) run->goTo(pose);
+    return fmt::format("the garment has {} vertices, made in {:.2f} s; Space lets it move",
+                       made->input.garment.positions.rows(), made->seconds);
+  });
+}
+
+void Studio::putOnStage(LiveFrame frame) {
+  if (!made_ || !made_->hasGarment()) return;  // undone since
+  frame_ = std::move(frame);
+  stage.setCloth(frame_->made, frame_->garment);
+  stage.moveBody(frame_->body);
+}
+
+bool Studio::poll() {
+  bool is_new = false;
+  if (making_.valid() && making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    takeMade();
+    is_new = true;
+  }
+  if (std::optional<LiveFrame> frame = simulation_->takeFrame()) {
+    putOnStage(std::move(*frame));
+    is_new = true;
+  }
+  for (const std::string& message : simulation_->takeMessages()) {
+    const bool is_fault = message.compare(0, 8, "stopped:") == 0;
+    if (is_fault)
+      refuse(message);
+    else
+      say(message);
+    is_new = true;
+  }
+  return is_new;
+}
+
+void Studio::finishWork() {
+  while (isMaking()) {
+    making_.wait();
+    poll();
+  }
+  simulation_->finishWork();
+  poll();
+}
+
+void Studio::play(bool plays) {
+  if (plays && (!made_ || !made_->hasGarment()))
+    return refuse("there is no garment yet: draw boundaries, then click a region");
+  simulation_->play(plays);
+  say(plays ? "simulating; Space pauses" : "paused");
+}
+
+void Studio::step(int steps) {
+  if (!made_ || !made_->hasGarment()) return refuse("there is no garment yet: draw boundaries, then click a region");
+  simulation_->play(false);
+  simulation_->stepOnce(steps);
+}
+
+void Studio::startOver() {
+  if (!made_ || !made_->hasGarment()) return refuse("there is no garment yet: draw boundaries, then click a region");
+  pose_ = 0;
+  simulation_->post([made = made_, adapts = adapts_](std::unique_ptr<LiveRun>& run) {
+    run = std::make_unique<LiveRun>(made);
+    run->setAdapting(adapts);
+    return std::string("started over on the first pose");
+  });
+}
+
+void Studio::goTo(int pose) {
+  if (pose < 0 || pose >= static_cast<int>(body_.poses.size())) return refuse("there is no such pose");
+  pose_ = pose;
+  if (!stage.hasCloth()) {
+    stage.moveBody(body_.poses[pose]);
+    return say("pose '" + body_.pose_names[pose] + "'; what you draw here is taken to the first pose");
+  }
+  simulation_->post([pose, name = body_.pose_names[pose]](std::unique_ptr<LiveRun>& run) {
+    if (run) run->goTo(pose);
+    return "the body goes to pose '" + name + "'";
+  });
+}
+
+void Studio::setAdapting(bool adapts) {
+  adapts_ = adapts;
+  simulation_->post([adapts](std::unique_ptr<LiveRun>& run) {
+    if (run) run->setAdapting(adapts);
+    return std::string(adapts ? "the rest shape is let out where it is too tight" : "the rest shape stays as it is");
+  });
+}
+
+}  // namespace ease

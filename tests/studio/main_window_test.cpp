@@ -1,0 +1,360 @@
+#include "tests/studio/main_window_test.h"
+
+#include <QApplication>
+#include <QProcess>
+#include <QtTest>
+
+#include "solver/io/mesh_io.h"
+
+namespace ease {
+
+void WindowTest::initTestCase() {
+  QVERIFY(directory_.isValid());
+  const std::string file = (directory_.path() + "/dress.toml").toStdString();
+  Document document = Document::builtin(file);
+  SceneText text(document.text());
+  text.setValue("garment", 0, "resolution", "1500");
+  text.setValue("body", 0, "seconds_per_pose", "0.25");
+  window_ = std::make_unique<MainWindow>(Document(text.text(), file));
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  wait();
+}
+
+void WindowTest::cleanupTestCase() {
+  window_->studio().document().save();
+  window_.reset();
+}
+
+Vec3 WindowTest::onBody(const Vec3& point) const {
+  const Stage& stage = window_->studio().stage;
+  return placeOn(nearestPlace(point, stage.body(), stage.bodyTriangles()), stage.body(), stage.bodyTriangles());
+}
+
+Vec3 WindowTest::onCloth(const Vec3& point) const {
+  const Stage& stage = window_->studio().stage;
+  const Triangles& triangles = stage.clothAsMade().triangles;
+  return placeOn(nearestPlace(point, stage.cloth(), triangles), stage.cloth(), triangles);
+}
+
+void WindowTest::wait() {
+  QTRY_VERIFY_WITH_TIMEOUT(!window_->studio().isMaking(), 20000);
+  QTest::qWait(60);
+  if (!window_->studio().simulation().plays()) window_->studio().finishWork();
+  window_->sync();
+  QTest::qWait(30);
+}
+
+void WindowTest::click(const Vec3& shown, Qt::KeyboardModifiers keys) {
+  const QPoint at = window_->view().pixelOf(shown);
+  QVERIFY(window_->view().rect().contains(at));
+  move(at);
+  QTest::mouseClick(window_->windowHandle(), Qt::LeftButton, keys, inWindow(at));
+}
+
+/// As the window system tells of the pointer, so that the view gets its events as in use.
+QPoint WindowTest::inWindow(QPoint at) const {
+  return window_->view().mapTo(window_.get(), at);
+}
+
+void WindowTest::move(QPoint at) {
+  QTest::mouseMove(window_->windowHandle(), inWindow(at));
+}
+
+void WindowTest::drag(Qt::MouseButton button, QPoint from, QPoint to, Qt::KeyboardModifiers keys) {
+  move(from);
+  QTest::mousePress(window_->windowHandle(), button, keys, inWindow(from));
+  constexpr int kSteps = 8;
+  for (int k = 1; k <= kSteps; ++k) move(from + (to - from) * k / kSteps);
+  QTest::mouseRelease(window_->windowHandle(), button, keys, inWindow(to));
+}
+
+/// Turns the view by a drag with the right button.
+void WindowTest::turn(double yaw_deg) {
+  const double way = std::remainder(window_->studio().stage.camera.yaw_deg - yaw_deg, 360.0) / 0.4;
+  const QPoint middle = window_->view().rect().center();
+  drag(Qt::RightButton, middle, middle + QPoint(static_cast<int>(std::lround(way / 2)), 0));
+  drag(Qt::RightButton, middle, middle + QPoint(static_cast<int>(std::lround(way / 2)), 0));
+  QVERIFY(std::abs(std::remainder(window_->studio().stage.camera.yaw_deg - yaw_deg, 360.0)) < 1.5);
+}
+
+void WindowTest::key(Qt::Key key, Qt::KeyboardModifiers keys) {
+  window_->activateWindow();
+  window_->view().setFocus();
+  QTest::keyClick(&window_->view(), key, keys);
+}
+
+void WindowTest::loop(const std::vector<Vec3>& front, const std::vector<Vec3>& behind) {
+  turn(0);
+  for (const Vec3& point : front) click(onBody(point));
+  turn(180);
+  for (const Vec3& point : behind) click(onBody(point));
+  key(Qt::Key_Return);
+  wait();
+  QVERIFY2(!window_->studio().isRefusal(), window_->studio().words().c_str());
+}
+
+std::string WindowTest::loopNear(const Vec3& point) const {
+  const Stage& stage = window_->studio().stage;
+  std::string nearest;
+  double least = 1e9;
+  for (const NamedLoop& edge : stage.made().edges) {
+    Vec3 middle = Vec3::Zero();
+    for (const int v : edge.vertices) middle += stage.clothAsMade().positions.row(v).transpose();
+    middle /= static_cast<double>(edge.vertices.size());
+    if ((middle - point).norm() >= least) continue;
+    least = (middle - point).norm();
+    nearest = edge.name;
+  }
+  return nearest;
+}
+
+/// The point of a loop that is seen best.
+Vec3 WindowTest::onLoop(const std::string& name) const {
+  const Stage& stage = window_->studio().stage;
+  Vec3 best = Vec3::Constant(-1e9);
+  for (const NamedLoop& edge : stage.made().edges)
+    if (edge.name == name)
+      for (const int v : edge.vertices)
+        if (Vec3(stage.cloth().row(v)).dot(stage.camera.towardsEye()) > best.dot(stage.camera.towardsEye()))
+          best = stage.cloth().row(v);
+  return best;
+}
+
+void WindowTest::keepPicture(const char* name) {
+  const QByteArray folder = qgetenv("EASE_STUDIO_PICTURES");
+  if (!folder.isEmpty()) QVERIFY(window_->grab().save(QString(folder) + "/" + name + ".png"));
+}
+
+long WindowTest::pixelsNear(const QImage& image, const Rgb& color, int within) const {
+  long count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor pixel = image.pixelColor(x, y);
+      if (std::abs(pixel.red() - color[0]) <= within && std::abs(pixel.green() - color[1]) <= within &&
+          std::abs(pixel.blue() - color[2]) <= within)
+        ++count;
+    }
+  return count;
+}
+
+void WindowTest::theWindowShowsTheBody() {
+  const QImage image = window_->view().picture();
+  const QPoint chest = window_->view().pixelOf(onBody({0, 1.2, 0.12}));
+  const QColor body = image.pixelColor(chest), air = image.pixelColor(3, 3);
+  QVERIFY(body.value() < air.value() - 10);
+  QVERIFY(std::abs(body.red() - body.blue()) < 40);
+  QVERIFY(window_->findChild<QListWidget*>()->count() == 3);
+  keepPicture("1_body");
+}
+
+void WindowTest::loopsAreDrawnByClicks() {
+  key(Qt::Key_1);
+  loop({{-0.07, 1.47, 0.05}, {0.0, 1.45, 0.08}, {0.07, 1.47, 0.05}}, {{0.06, 1.5, -0.05}, {-0.06, 1.5, -0.05}});
+  QCOMPARE(window_->studio().made()->loops.size(), size_t(1));
+  const QImage image = window_->view().picture();
+  QVERIFY(pixelsNear(image, kLoopColor, 30) > 20);
+  // Sleeves: one by hand, the other mirrored.
+  key(Qt::Key_M);
+  loop({{0.42, 1.42, 0.03}, {0.42, 1.37, 0.04}}, {{0.42, 1.36, -0.03}, {0.42, 1.42, -0.03}});
+  key(Qt::Key_M);
+  QCOMPARE(window_->studio().made()->loops.size(), size_t(3));
+  // The first three clicks of the waist, as they are shown, then the rest.
+  turn(0);
+  for (const Vec3& point : {Vec3(-0.13, 1.02, 0.05), Vec3(0, 1.02, 0.12)}) click(onBody(point));
+  move(window_->view().pixelOf(onBody({0.1, 1.02, 0.08})));
+  QTest::qWait(50);
+  keepPicture("2_boundary");
+  click(onBody({0.13, 1.02, 0.05}));
+  turn(180);
+  for (const Vec3& point : {Vec3(0.1, 1.02, -0.1), Vec3(-0.1, 1.02, -0.1)}) click(onBody(point));
+  key(Qt::Key_Return);
+  wait();
+  QVERIFY2(!window_->studio().isRefusal(), window_->studio().words().c_str());
+  QCOMPARE(window_->studio().made()->loops.size(), size_t(4));
+  QVERIFY(garment().is_draft);
+}
+
+void WindowTest::aClickMakesCloth() {
+  turn(0);
+  key(Qt::Key_2);
+  move(window_->view().pixelOf(onBody({0, 1.2, 0.12})));
+  QTest::qWait(50);
+  keepPicture("3_region");
+  click(onBody({0, 1.2, 0.12}));
+  wait();
+  QVERIFY2(window_->studio().stage.hasCloth(), window_->studio().words().c_str());
+  QVERIFY(!garment().is_draft);
+  window_->view().setShown(Shown::cloth);
+  const QColor cloth = window_->view().picture().pixelColor(window_->view().pixelOf(onCloth({0.03, 1.2, 0.13})));
+  QVERIFY(cloth.blue() > cloth.red() + 15);  // the colour of cloth, not of skin
+  window_->view().setShown(Shown::stretch);
+}
+
+void WindowTest::aDragMakesASkirt() {
+  key(Qt::Key_3);
+  const std::string waist = loopNear({0, 1.0, 0});
+  const QPoint from = window_->view().pixelOf(onLoop(waist));
+  drag(Qt::LeftButton, from, window_->view().pixelOf(onLoop(waist) - Vec3(0, 0.25, 0)) + QPoint(40, 0));
+  wait();
+  QVERIFY2(!window_->studio().isRefusal(), window_->studio().words().c_str());
+  QCOMPARE(garment().tools->extensions.size(), size_t(1));
+  QVERIFY(garment().tools->extensions.front().length > 0.15);
+  QVERIFY(window_->studio().stage.cloth().col(1).minCoeff() < 0.85);
+}
+
+void WindowTest::pinSeamAndComfort() {
+  key(Qt::Key_6);
+  click(onLoop(loopNear({0, 1.5, 0})));
+  wait();
+  QCOMPARE(garment().pins.size(), size_t(1));
+  key(Qt::Key_7);
+  click(onLoop(loopNear({0, 1.5, 0})));
+  click(onCloth({0.0, 1.2, 0.13}));
+  click(onLoop(loopNear({0, 0.8, 0})));
+  wait();
+  QVERIFY2(!window_->studio().isRefusal(), window_->studio().words().c_str());
+  QCOMPARE(garment().tools->seams.size(), size_t(1));
+  key(Qt::Key_5);
+  drag(Qt::LeftButton, window_->view().pixelOf(onCloth({-0.05, 1.1, 0.13})),
+       window_->view().pixelOf(onCloth({0.08, 1.1, 0.13})));
+  wait();
+  QCOMPARE(garment().comfort_regions.size(), size_t(1));
+  QVERIFY(garment().comfort_regions.front().stroke.size() > 2);
+}
+
+void WindowTest::theClothMovesAndTurnsToAnotherPose() {
+  const Positions before = window_->studio().stage.cloth();
+  key(Qt::Key_Space);
+  QTRY_VERIFY_WITH_TIMEOUT(window_->studio().frame()->steps > 20, 20000);
+  QVERIFY(window_->studio().stage.cloth() != before);
+  auto* poses = window_->findChild<QListWidget*>();
+  QTest::mouseClick(poses->viewport(), Qt::LeftButton, {}, poses->visualItemRect(poses->item(1)).center());
+  QTRY_VERIFY_WITH_TIMEOUT(window_->studio().frame()->pose == 1 && window_->studio().frame()->way > 0.99, 30000);
+  keepPicture("4_pose");
+}
+
+void WindowTest::sleevesArePuffedWhileItRuns() {
+  QVERIFY(window_->studio().simulation().plays());
+  key(Qt::Key_4);
+  const SurfacePlace sleeve = nearestPlace({0.36, 1.42, 0.03}, window_->studio().stage.clothAsMade().positions,
+                                           window_->studio().stage.clothAsMade().triangles);
+  const Triangles& triangles = window_->studio().stage.clothAsMade().triangles;
+  const Vec3 shown = placeOn(sleeve, window_->studio().stage.cloth(), triangles);
+  const QPoint from = window_->view().pixelOf(shown);
+  const auto hit = window_->studio().stage.hitCloth(from.x(), from.y());
+  QVERIFY(hit.has_value());
+  drag(Qt::LeftButton, from, from + QPoint(6, 14));
+  QTRY_VERIFY_WITH_TIMEOUT(!window_->studio().isMaking(), 20000);
+  QVERIFY2(garment().paint.size() == 1, window_->studio().words().c_str());
+  QTRY_VERIFY_WITH_TIMEOUT(
+      *std::max_element(window_->studio().frame()->growth.begin(), window_->studio().frame()->growth.end()) > 1.05,
+      20000);
+  keepPicture("5_paint");
+  key(Qt::Key_Space);
+  wait();
+  QVERIFY(!window_->studio().simulation().plays());
+}
+
+void WindowTest::undoAndRedoByKeys() {
+  const std::string text = window_->studio().text();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  wait();
+  QVERIFY(garment().paint.empty());
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  wait();
+  QCOMPARE(window_->studio().text(), text);
+}
+
+void WindowTest::partsAreRenamedAndRemovedInTheList() {
+  auto* tree = window_->findChild<PartsTree*>();
+  const std::string text = window_->studio().text();
+  QTreeWidgetItem* first = tree->topLevelItem(0)->child(0);
+  first->setText(0, "neckline");
+  wait();
+  QCOMPARE(garment().tools->boundaries.front().name, std::string("neckline"));
+  QCOMPARE(std::get<std::string>(garment().pins.front().what), std::string("neckline"));
+  QCOMPARE(garment().tools->seams.front().from, std::string("neckline"));
+  QTreeWidgetItem* comfort = tree->topLevelItem(static_cast<int>(PartKind::comfort));
+  tree->setCurrentItem(comfort->child(0));
+  QTest::keyClick(tree, Qt::Key_Delete);
+  wait();
+  QVERIFY(garment().comfort_regions.empty());
+  window_->studio().undo();
+  wait();
+  QCOMPARE(garment().comfort_regions.size(), size_t(1));
+}
+
+void WindowTest::nonsenseIsAnswered() {
+  const std::string text = window_->studio().text();
+  for (int tool = 0; tool < 7; ++tool) {
+    key(static_cast<Qt::Key>(Qt::Key_1 + tool));
+    move({2, 2});
+    QTest::mouseClick(window_->windowHandle(), Qt::LeftButton, {}, inWindow({2, 2}));
+    QVERIFY(window_->studio().isRefusal());
+    QVERIFY(!window_->statusText().isEmpty());
+    key(Qt::Key_Escape);
+  }
+  key(Qt::Key_1);
+  key(Qt::Key_Return);
+  QVERIFY(window_->studio().isRefusal());
+  key(Qt::Key_Delete);
+  QVERIFY(window_->studio().isRefusal());
+  QCOMPARE(window_->studio().text(), text);
+}
+
+/// Mean colours of 16 x 16 blocks of two pictures differ in at most half a per cent of the blocks.
+void WindowTest::staticPicturesRepeat() {
+  const auto draw = [this] {
+    window_->studio().startOver();
+    window_->studio().step(5);
+    wait();
+    return window_->view().picture();
+  };
+  const QImage first = draw(), second = draw();
+  QCOMPARE(first.size(), second.size());
+  int blocks = 0, different = 0;
+  for (int y = 0; y + 16 <= first.height(); y += 16)
+    for (int x = 0; x + 16 <= first.width(); x += 16) {
+      double difference = 0.0;
+      for (int k = 0; k < 256; ++k) {
+        const QColor a = first.pixelColor(x + k % 16, y + k / 16), b = second.pixelColor(x + k % 16, y + k / 16);
+        difference +=
+            (std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue())) / 768.0;
+      }
+      ++blocks;
+      different += difference > 12.0 ? 1 : 0;
+    }
+  QVERIFY(different <= 0.005 * blocks);
+}
+
+void WindowTest::theSavedFileMakesTheSameGarment() {
+  key(Qt::Key_S, Qt::ControlModifier);
+  QVERIFY(window_->studio().document().isSaved());
+  QProcess process;
+  process.start(EASE_COMMAND, {"garment", directory_.path() + "/dress.toml", "-o", directory_.path() + "/made"});
+  QVERIFY(process.waitForFinished(60000));
+  QVERIFY2(process.exitCode() == 0, process.readAllStandardError().constData());
+  const TriangleMesh made = readMesh((directory_.path() + "/made/garment.obj").toStdString());
+  const TriangleMesh& here = window_->studio().made()->input.garment;
+  QVERIFY(made.triangles == here.triangles);
+  QVERIFY((made.positions - here.positions).cwiseAbs().maxCoeff() < 1e-9);
+}
+
+/// A run is a process of its own; what is written when it is cancelled can be opened.
+void WindowTest::aRunCanBeCancelled() {
+  RunDialog* dialog = window_->run();
+  QVERIFY2(dialog, window_->studio().words().c_str());
+  QTRY_VERIFY_WITH_TIMEOUT(dialog->isRunning(), 10000);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(directory_.path() + "/results/dress") || !dialog->isRunning(), 60000);
+  QVERIFY(dialog->isRunning());
+  QTest::qWait(300);
+  dialog->interrupt();
+  QTRY_VERIFY_WITH_TIMEOUT(!dialog->isRunning(), 60000);
+  QVERIFY(QFile::exists(directory_.path() + "/results/dress/report.json"));
+  dialog->close();
+}
+
+}  // namespace ease
+
+QTEST_MAIN(ease::WindowTest)

@@ -1,0 +1,53 @@
+// A dress by mouse and keys, as in Figure 4 of Wolff et al. 2022, in the real window, without a display.  Points are
+// given in metres and projected, so that neither layout nor fonts matter.  With EASE_STUDIO_PICTURES=FOLDER, pictures
+// of the window are kept there.
+#pragma once
+
+#include <QTemporaryDir>
+#include <memory>
+
+#include "apps/studio/main_window.h"
+
+namespace ease {
+
+class WindowTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void theWindowShowsTheBody();
+  void loopsAreDrawnByClicks();
+  void aClickMakesCloth();
+  void aDragMakesASkirt();
+  void pinSeamAndComfort();
+  void theClothMovesAndTurnsToAnotherPose();
+  void sleevesArePuffedWhileItRuns();
+  void undoAndRedoByKeys();
+  void partsAreRenamedAndRemovedInTheList();
+  void nonsenseIsAnswered();
+  void staticPicturesRepeat();
+  void theSavedFileMakesTheSameGarment();
+  void aRunCanBeCancelled();
+  void cleanupTestCase();
+
+ private:
+  Vec3 onBody(const Vec3& point) const;
+  Vec3 onCloth(const Vec3& point) const;
+  void click(const Vec3& shown, Qt::KeyboardModifiers keys = {});
+  QPoint inWindow(QPoint at) const;
+  void move(QPoint at);
+  void drag(Qt::MouseButton button, QPoint from, QPoint to, Qt::KeyboardModifiers keys = {});
+  void turn(double yaw_deg);
+  void key(Qt::Key key, Qt::KeyboardModifiers keys = {});
+  void wait();
+  void loop(const std::vector<Vec3>& front, const std::vector<Vec3>& behind);
+  Vec3 onLoop(const std::string& name) const;
+  std::string loopNear(const Vec3& point) const;
+  void keepPicture(const char* name);
+  long pixelsNear(const QImage& image, const Rgb& color, int within) const;
+  const GarmentScene& garment() const { return window_->studio().scene().garment; }
+
+  QTemporaryDir directory_;
+  std::unique_ptr<MainWindow> window_;
+};
+}  // namespace ease
