@@ -25,7 +25,8 @@ Examples:
   ease check scenes/t-shirt.toml                  reads and checks everything, computes nothing
 Every key of a scene, with its unit, is explained in scenes/t-shirt.toml; those of the tools that make a garment, in
 scenes/tunic.toml.
-Exit codes: 0 done, 1 wrong input, 2 the computation failed, 130 interrupted.)";
+Exit codes: 0 done, 1 wrong input, 2 the computation failed, 3 done but the garment left the body, so that the figures
+say nothing, 130 interrupted.)";
 
 constexpr const char* kRunExamples = R"(
 Examples:

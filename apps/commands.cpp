@@ -156,7 +156,8 @@ ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interru
     try {
       std::error_code differs;
       const bool same_directory = checkpoint && fs::equivalent(directory, arguments.resumed, differs);
-      if (runScene(scene, input, directory, interrupted, checkpoint, same_directory)) return kDone;
+      const RunEnd end = runScene(scene, input, directory, interrupted, checkpoint, same_directory);
+      if (end != RunEnd::interrupted) return end == RunEnd::doubtful ? kDoubtful : kDone;
     } catch (const ComputationError& error) {
       throw ComputationError(fmt::format("{}; what was written until then is in {}", error.what(), directory.string()));
     }

@@ -7,7 +7,8 @@
 
 namespace ease {
 
-enum ExitCode { kDone = 0, kWrongInput = 1, kFailed = 2, kInterrupted = 130 };
+/// kDoubtful: all was computed and written, but the figures do not mean what they say (doubts.h).
+enum ExitCode { kDone = 0, kWrongInput = 1, kFailed = 2, kDoubtful = 3, kInterrupted = 130 };
 
 struct Arguments {
   std::string scene;

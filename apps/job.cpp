@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/doubts.h"
 #include "apps/frames.h"
 #include "apps/painted_rest.h"
 #include "apps/progress.h"
@@ -47,7 +48,7 @@ class Job {
         append_to_series_(append_to_series),
         interrupted_(interrupted) {}
 
-  bool operator()() {
+  RunEnd operator()() {
     {
       const Stopwatch total(report_.total_s);
       {
@@ -66,13 +67,17 @@ class Job {
         report_.failure = error.what();
       }
       progress_.reset();
-      if (!interrupted_ && report_.failure.empty()) drawPictures();
+      if (!interrupted_ && report_.failure.empty()) {
+        findDoubts();
+        drawPictures();
+      }
     }
     finishReport();
     if (!report_.failure.empty()) throw ComputationError(report_.failure);
     if (!interrupted_) removeEarlierReport(directory_);
     fmt::print("{}", summaryText(report_));
-    return !interrupted_;
+    if (interrupted_) return RunEnd::interrupted;
+    return report_.doubts.empty() ? RunEnd::done : RunEnd::doubtful;
   }
 
  private:
@@ -237,12 +242,25 @@ class Job {
     return {showGarment(*cloth_, input_.garment.positions), showGarment(*cloth_, end)};
   }
 
+  void findDoubts() {
+    const double body_speed = runInput(scene_, input_, body()).body_motion / scene_.solver.time_step;
+    const DoubtContext context{numbering_.garment.vertices, body_speed};
+    const PassRecord& last = report_.verified ? report_.after : report_.run;
+    report_.doubts = doubtsOf(last, context);
+    if (report_.verified && report_.doubts.empty())
+      for (const std::string& doubt : doubtsOf(report_.before, context))
+        report_.doubts.push_back(doubt + ", with the first rest shape");
+    for (const std::string& unheld : unheldParts(scene_, given_))
+      (scene_.adaption ? report_.doubts : report_.warnings).push_back(unheld);
+    for (const std::string& lost : lostParts(last, context)) report_.warnings.push_back(lost);
+  }
+
   /// Shows how the replays began and ended; without replays, how the run ended.
   void drawPictures() {
     const double limit = scene_.adaption ? report_.limit : kShownStretch;
     const auto draw = [&](const char* name, int pose, const std::vector<ShownColumn>& columns) {
       const TriangleMesh body = body_ ? TriangleMesh{input_.poses[pose], input_.body_triangles} : TriangleMesh();
-      const std::string reason = drawGarments(directory_ / name, columns, body, limit);
+      const std::string reason = drawGarments(directory_ / name, columns, body, limit, report_.doubts);
       if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
     };
     const auto last_pose = [](const Schedule& schedule) { return schedule.poses ? posesOfMotion(schedule).back() : 0; };
@@ -256,6 +274,8 @@ class Job {
   }
 
   void finishReport() {
+    for (const std::string& doubt : report_.doubts)
+      report_.warnings.push_back(doubt + ": the figures of the stretch say nothing");
     for (const std::string& warning : runWarnings(report_)) report_.warnings.push_back(warning);
     report_.interrupted = interrupted_;
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
@@ -286,9 +306,9 @@ class Job {
 
 }  // namespace
 
-bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-              const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& resume_from,
-              bool append_to_series) {
+RunEnd runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
+                const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& resume_from,
+                bool append_to_series) {
   return Job(scene, input, directory, resume_from, append_to_series, interrupted)();
 }
 

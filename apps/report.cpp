@@ -55,6 +55,18 @@ std::string depthLine(const char* when, const Penetration& p) {
                      1e3 * p.vertices, 1e3 * p.edge_midpoints, 1e3 * p.centroids);
 }
 
+Json onBody(const PassRecord& pass) {
+  Json parts = Json::array();
+  for (const PartPresence& part : pass.on_body)
+    parts.push_back({{"vertices", part.vertices},
+                     {"area_share", part.area_share},
+                     {"nearest_m", part.nearest_m},
+                     {"distance_at_end_m", part.last_m},
+                     {"off_since_s", part.off_since_s ? Json(*part.off_since_s) : Json()},
+                     {"slid_m", part.slid_m}});
+  return parts;
+}
+
 double perSecond(int steps, double seconds) {
   return seconds > 0.0 ? steps / seconds : 0.0;
 }
@@ -79,8 +91,8 @@ Json adaptionOf(const Report& report, const Scene& scene) {
   json["chosen_pass"] = report.fit.best + 1;
   json["check"] = {{"share_over_limit", report.fit_result.check.stretch.overall.share_over_limit},
                    {"wall_s", report.fit_result.check.times.total}};
-  json["target_met"] = report.fit_result.target_met;
-  json["reason"] = report.fit_result.reason;
+  json["target_met"] = report.doubts.empty() ? Json(report.fit_result.target_met) : Json();
+  json["reason"] = report.doubts.empty() ? report.fit_result.reason : report.doubts.front();
   return json;
 }
 
@@ -136,6 +148,13 @@ Json toJson(const Report& report, const Scene& scene) {
     json["penetration_mm"]["after"] = penetration(report.after.penetration);
   }
   json["final_speed_m_s"] = measuredIf(run.stretch.moments > 0, run.final_speed_m_s);
+  json["fastest_vertex"] =
+      measuredIf(run.stretch.moments > 0, {{"speed_m_s", run.fastest.speed_m_s}, {"time_s", run.fastest.time_s}});
+  json["on_body"]["run"] = onBody(run);
+  if (report.verified) {
+    json["on_body"]["before"] = onBody(report.before);
+    json["on_body"]["after"] = onBody(report.after);
+  }
   const std::string& method = nameOf(scene.solver.method);
   Json solver = {{"time_step_s", report.time_step_s}};
   if (method == "auto" || method == "pd-lbfgs" || method == "pd") solver["tolerance"] = scene.solver.tolerance;
@@ -159,6 +178,7 @@ Json toJson(const Report& report, const Scene& scene) {
                      {"contacts_recovery_limited", run.contact.limited}};
   json["level_set_MB"] = run.level_set_MB;
   json["peak_memory_MB"] = peakMemoryMB();
+  json["doubts"] = report.doubts;
   json["warnings"] = report.warnings;
   json["interrupted"] = report.interrupted;
   if (!report.failure.empty()) json["failure"] = report.failure;
@@ -214,7 +234,8 @@ std::string summaryText(const Report& report) {
         report.verified ? (report.fit.passes.empty() ? "replays, " : "check, ") : "");
   else
     text = fmt::format("{} vertices, no time step was left to do; {:.1f} s in all\n", report.vertices, report.total_s);
-  if (report.verified) {
+  for (const std::string& doubt : report.doubts) text += fmt::format("stretch says nothing: {}\n", doubt);
+  if (report.verified && report.doubts.empty()) {
     const auto line = [&](const char* when, const StretchRecord& s) {
       text += fmt::format(
           "stretch {}: at most {:.3f}, 99 % below {:.3f}, over {:.3g}: {:.2f} % of the triangles, {:.2f} % taut\n",
@@ -224,7 +245,7 @@ std::string summaryText(const Report& report) {
     line("before", report.before.stretch);
     line("after ", report.after.stretch);
   }
-  if (report.verified && !report.fit.passes.empty())
+  if (report.verified && !report.fit.passes.empty() && report.doubts.empty())
     text += fmt::format("fitted in {} passes, {:.1f} s: {}\n", report.fit.passes.size(),
                         report.time_to_fit_s.value_or(0.0), report.fit_result.reason);
   if (report.limit > 0.0)

@@ -15,7 +15,8 @@ ShownGarment showGarment(const Cloth& cloth, const Positions& x) {
 }
 
 std::string drawGarments(const std::filesystem::path& file, const std::vector<ShownColumn>& columns,
-                         const TriangleMesh& body, double limit) {
+                         const TriangleMesh& body, double limit, const std::vector<std::string>& doubts) {
+  const std::string doubt = doubts.empty() ? "" : doubts.front().substr(0, doubts.front().find(", "));
   std::vector<StretchView> views;
   for (const ShownColumn& column : columns) {
     const std::vector<Stretch>& stretch = column.garment->stretch;
@@ -28,6 +29,7 @@ std::string drawGarments(const std::filesystem::path& file, const std::vector<Sh
                                100.0 * statistics.share_over_limit);
     if (statistics.taut_share_over_limit < statistics.share_over_limit)
       view.summary += fmt::format(", {:.2f} % taut (crumpled: grey)", 100.0 * statistics.taut_share_over_limit);
+    if (!doubt.empty()) view.summary = doubt;
     views.push_back(view);
   }
   return drawStretch(file, views, "largest principal stretch", 1.0, 1.0 + 2.0 * limit, 1.0 + limit);

@@ -84,6 +84,14 @@ void ContactFinder::distancesSinceFind(std::span<const Vec3> samples, std::vecto
               [&](int s) { distances[s] = found_[s].phi + found_[s].normal.dot(samples[s] - points_[s]); });
 }
 
+double distanceTo(const BodyMoment& body, const Vec3& x) {
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const ClosestPoint near = body.tree->closest(x, kAny);
+  if (near.triangle < 0 || body.tau == 0.0) return near.distance;
+  const Vec3 carried = x - body.tau * body.motionOfTriangle(near.triangle);
+  return body.tree->closest(carried, kAny, near.triangle).distance;
+}
+
 void Penetration::deepen(const std::vector<double>& sample_distances, int vertex_count, int edge_count) {
   for (int s = 0; s < static_cast<int>(sample_distances.size()); ++s) {
     double& deepest = s < vertex_count ? vertices : s < vertex_count + edge_count ? edge_midpoints : centroids;

@@ -24,6 +24,9 @@
 
 namespace ease {
 
+/// Distance of a point to the body's surface, m, without limit and without sign. Slow: for points beyond the level set.
+double distanceTo(const BodyMoment& body, const Vec3& x);
+
 /// Largest depth of the cloth inside the body by kind of sample, m; 0 if no sample is inside.
 struct Penetration {
   double vertices = 0.0, edge_midpoints = 0.0, centroids = 0.0;
