@@ -53,7 +53,8 @@ std::vector<std::string> doubtsOf(const PassRecord& pass, const DoubtContext& co
                                 nameOf(part, p, pass, context), part.slid_m));
   }
   const double fastest = pass.fastest.speed_m_s;
-  if (!pass.on_body.empty() && lines.empty() && fastest > std::max(kThrownSpeed, kThrownOverBody * context.body_speed_m_s))
+  if (!pass.on_body.empty() && lines.empty() &&
+      fastest > std::max(kThrownSpeed, kThrownOverBody * context.body_speed_m_s))
     lines.push_back(
         fmt::format("vertex {} of the garment was thrown: {:.3g} m/s at {:.3g} s, while the body moves {:.3g} m/s "
                     "at most",

@@ -182,8 +182,7 @@ class Job {
       return run_watch;
     };
     fit_watch.on_pass = [&](const FitState& state) {
-      const RunState start{
-          {}, {input_.garment.positions, Positions::Zero(cloth_->vertexCount(), 3)}, cloth_->rest(), {}, {}};
+      const RunState start{{}, {startOf(input_), Positions::Zero(cloth_->vertexCount(), 3)}, cloth_->rest(), {}, {}};
       writeCheckpoint(directory_ / kCheckpoint, checkpointOf(start, state));
     };
     const auto finish = [&] {
@@ -239,12 +238,13 @@ class Job {
   /// Shows the start and the end of a replay on a rest shape, which the cloth then has.
   ShownReplay shown(const RestShape& rest, const Positions& end) {
     cloth_->setRest(RestShape(rest));
-    return {showGarment(*cloth_, input_.garment.positions), showGarment(*cloth_, end)};
+    return {showGarment(*cloth_, startOf(input_)), showGarment(*cloth_, end)};
   }
 
   void findDoubts() {
     const double body_speed = runInput(scene_, input_, body()).body_motion / scene_.solver.time_step;
-    const DoubtContext context{numbering_.garment.vertices, body_speed};
+    DoubtContext context{numbering_.garment.vertices, body_speed};
+    for (int& vertex : context.file_vertices) vertex = fileVertex(given_, vertex);
     const PassRecord& last = report_.verified ? report_.after : report_.run;
     report_.doubts = doubtsOf(last, context);
     if (report_.verified && report_.doubts.empty())

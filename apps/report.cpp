@@ -235,11 +235,11 @@ std::string summaryText(const Report& report) {
   else
     text = fmt::format("{} vertices, no time step was left to do; {:.1f} s in all\n", report.vertices, report.total_s);
   for (const std::string& doubt : report.doubts) text += fmt::format("stretch says nothing: {}\n", doubt);
-  if (report.verified && report.doubts.empty()) {
+  if (report.verified) {
     const auto line = [&](const char* when, const StretchRecord& s) {
       text += fmt::format(
-          "stretch {}: at most {:.3f}, 99 % below {:.3f}, over {:.3g}: {:.2f} % of the triangles, {:.2f} % taut\n",
-          when, s.overall.max, s.overall.p99, 1.0 + report.limit, 100.0 * s.overall.share_over_limit,
+          "{}stretch {}: at most {:.3f}, 99 % below {:.3f}, over {:.3g}: {:.2f} % of the triangles, {:.2f} % taut\n",
+          report.doubts.empty() ? "" : "unverified ", when, s.overall.max, s.overall.p99, 1.0 + report.limit, 100.0 * s.overall.share_over_limit,
           100.0 * s.overall.taut_share_over_limit);
     };
     line("before", report.before.stretch);

@@ -37,9 +37,9 @@ RestGrowth growthOf(const Cloth& cloth) {
 
 RestShapeFigures writeRestShape(const Cloth& cloth, const SceneInput& given, const Numbering& numbering,
                                 const std::filesystem::path& directory) {
-  const Frame rest = restored(restFrame(cloth, firstAreas(cloth)), numbering);
-  writeObj(directory / "rest_shape.obj", {rest.positions, given.garment.triangles});
-  writeVtp(directory / "rest_shape.vtp", given.garment.triangles, rest);
+  const Frame rest = asRead(restored(restFrame(cloth, firstAreas(cloth)), numbering), given.as_read);
+  writeObj(directory / "rest_shape.obj", {rest.positions, trianglesAsRead(given)});
+  writeVtp(directory / "rest_shape.vtp", trianglesAsRead(given), rest);
   if (given.authored && !given.authored->seams.empty())
     writePieces({rest.positions, given.garment.triangles}, given.authored->seams, directory, "rest_pieces");
   return {growthOf(cloth), foldedEdges(cloth, cloth.first().positions)};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/mesh_list.h"
 #include "apps/scene_tools.h"
 #include "apps/toml_table.h"
 #include "apps/words.h"
@@ -25,20 +26,33 @@ constexpr double kPassTimeStep = 0.0125;  // s
 constexpr double kPassTolerance = 0.2;
 constexpr double kPassCompression = 0.05;
 
-BodyScene readBody(const TomlTable& table) {
-  table.allow({"poses", "builtin", "seconds_per_pose", "steps", "match"});
+BodyScene readBody(const TomlTable& table, const std::filesystem::path& folder) {
+  table.allow(
+      {"poses", "builtin", "seconds_per_pose", "steps", "match", "unit", "up", "facing", "weld", "holes", "align"});
   if (table.has("steps") && table.has("seconds_per_pose"))
     table.refuse("steps", "either seconds_per_pose or steps, not both");
   BodyScene body;
   body.builtin = table.choice("builtin", body.builtin, {"mannequin"});
-  body.poses = table.texts("poses");
+  body.poses = table.isText("poses") ? std::vector{table.text("poses", "")} : table.texts("poses");
   if (body.poses.empty())
     table.refuse("poses", body.builtin.empty() ? "mesh files, one a pose" : listWords(mannequinPoses()));
   body.seconds_per_pose = table.number("seconds_per_pose", body.seconds_per_pose, {0.0, 1e4, true, "s"});
   body.steps = table.integer("steps", body.steps, 1, 100000);
   body.match_triangles = table.choice("match", "index", {"index", "triangles"}) == "triangles";
 
-  if (body.builtin.empty()) return body;
+  if (body.builtin.empty()) {
+    std::string missing;
+    const std::vector<std::string> files = expandFiles(body.poses, folder, missing);
+    if (files.empty()) table.refuse("poses", fmt::format("mesh files; none is called '{}'", missing));
+    body.poses = files;
+    body.frame = readFrame(table);
+    body.weld = table.boolean("weld", body.weld);
+    body.close_all = table.choice("holes", "far", {"far", "close"}) == "close";
+    if (table.has("align")) body.align = table.boolean("align", true);
+    return body;
+  }
+  for (const char* key : {"unit", "up", "facing", "weld", "holes", "align", "match"})
+    if (table.has(key)) table.refuse(key, "pose files for it: the mannequin is as it should be");
   for (const std::string& pose : body.poses) {
     const std::vector<std::string>& known = mannequinPoses();
     if (std::find(known.begin(), known.end(), pose) == known.end())
@@ -71,7 +85,7 @@ PinScene readPin(const TomlTable& table, bool has_body) {
 
 GarmentScene readGarment(const TomlTable& table, const std::optional<BodyScene>& body) {
   table.allow({"mesh", "builtin", "vertices", "grain", "pin", "resolution", "edge_length", "smoothing", "boundary",
-               "region", "extension", "paint", "comfort", "seam"});
+               "region", "extension", "paint", "comfort", "seam", "unit", "up", "facing", "weld"});
   GarmentScene garment;
   garment.mesh = table.text("mesh", garment.mesh);
   garment.builtin = table.choice("builtin", garment.builtin, {"t-shirt", "dress"});
@@ -86,6 +100,10 @@ GarmentScene readGarment(const TomlTable& table, const std::optional<BodyScene>&
     table.refuse("builtin", "[body] poses to begin with 't', since built-in garments are made on that pose");
   if (garment.tools && table.has("vertices")) table.refuse("vertices", "resolution, since the garment has boundaries");
   if (!built_in && table.has("vertices")) table.refuse("vertices", "builtin: a mesh has the vertices that it has");
+  for (const char* key : {"unit", "up", "facing", "weld"})
+    if (garment.mesh.empty() && table.has(key)) table.refuse(key, "mesh, a file, for it");
+  if (!garment.mesh.empty()) garment.frame = readFrame(table, body ? body->frame : MeshFrame());
+  garment.weld = table.boolean("weld", garment.weld);
   garment.vertices = table.integer("vertices", garment.vertices, 100, 200000);
 
   garment.grain = readVec3(table, "grain", garment.grain, 1e6, "");
@@ -253,7 +271,7 @@ Scene readScene(const std::filesystem::path& file) {
   Scene scene;
   scene.file = file;
   scene.name = readName(root, file);
-  if (const auto body = root.table("body")) scene.body = readBody(*body);
+  if (const auto body = root.table("body")) scene.body = readBody(*body, file.parent_path());
   const auto garment = root.table("garment");
   if (!garment) root.refuse("garment", "a table [garment] with a mesh or a builtin garment");
   scene.garment = readGarment(*garment, scene.body);

@@ -37,8 +37,8 @@ TEST_CASE("an OBJ's index out of range is named with its triangle, a face that i
   const Folder folder;
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
   CHECK_THAT(messageOf(folder.write("a.obj", vertices + "f 1 2 3\nf 1 2 4\n")),
-             Contains("triangle 1 has vertex 3, but there are 3 (counted from 0)"));
-  CHECK_THAT(messageOf(folder.write("a.obj", vertices + "f 1 2 -4\n")), Contains("triangle 0 has vertex -1"));
+             Contains("face 1 has vertex 3, but there are 3 (counted from 0)"));
+  CHECK_THAT(messageOf(folder.write("a.obj", vertices + "f 1 2 -4\n")), Contains("face 0 has vertex -1"));
   CHECK_THAT(messageOf(folder.write("a.obj", vertices + "f 1 2 0\n")),
              Contains("line 4: expected a vertex index, found \"0\""));
   CHECK_THAT(messageOf(folder.write("a.obj", vertices + "f 1 2\n")), Contains("line 4: a face with 2 vertices"));

@@ -78,7 +78,7 @@ TEST_CASE("a PLY cut short anywhere is refused") {
 TEST_CASE("a PLY's index out of range is named with its triangle, a coordinate that is no number with its vertex") {
   const Folder folder;
   CHECK_THAT(messageOf(folder.write("a.ply", text("0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 9\n"))),
-             Contains("triangle 0 has vertex 9, but there are 4"));
+             Contains("face 0 has vertex 9, but there are 4"));
   CHECK_THAT(messageOf(folder.write("a.ply", text("0 0 0 1 one 0"))), Contains("vertex 1 of 4: \"y\" is not a number"));
   CHECK_THAT(messageOf(folder.write("a.ply", text("0 0 0 1 inf 0 1 1 0 0 1 0 3 0 1 2"))),
              Contains("vertex 1 is (1, inf, 0)"));
