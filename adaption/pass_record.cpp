@@ -38,6 +38,7 @@ PassRecord& PassRecord::operator+=(const PassRecord& later) {
   penetration.vertices = std::max(penetration.vertices, later.penetration.vertices);
   penetration.edge_midpoints = std::max(penetration.edge_midpoints, later.penetration.edge_midpoints);
   penetration.centroids = std::max(penetration.centroids, later.penetration.centroids);
+  penetration.triangles = std::max(penetration.triangles, later.penetration.triangles);
   final_speed_m_s = later.final_speed_m_s;
   if (later.fastest.speed_m_s > fastest.speed_m_s) fastest = later.fastest;
   on_body = later.on_body;

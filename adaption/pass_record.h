@@ -48,11 +48,11 @@ struct PassRecord {
   Substeps substeps;
   StretchRecord stretch;
   Penetration penetration;
-  double final_speed_m_s = 0.0;    // of the fastest vertex
+  double final_speed_m_s = 0.0;  // of the fastest vertex
   Fastest fastest;
   std::vector<PartPresence> on_body;  // the garment's connected parts, largest first; empty without a body
-  double contact_stiffness = 0.0;  // used, N/m^3
-  StepSummary solver;              // sum over all steps
+  double contact_stiffness = 0.0;     // used, N/m^3
+  StepSummary solver;                 // sum over all steps
   ContactRescues contact;
   long voxels_on_demand = 0;  // that no level set had foreseen
   double level_set_MB = 0.0;

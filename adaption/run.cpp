@@ -136,7 +136,9 @@ void Run::measure(const Moment& moment, const RunWatch& watch) {
   presence_->add(moment.time_s, state_.positions, body, contacts_->distances(), input_.body->band(),
                  [&](const Vec3& x) { return distanceTo(body, x); });
   record_.on_body = presence_->parts();
-  if (moment.done.all > 0) contacts_->deepen(record_.penetration);
+  if (moment.done.all == 0) return;
+  contacts_->deepen(record_.penetration);
+  contacts_->deepenLargeTriangles(s, state_.positions, record_.penetration);
 }
 
 void Run::adapt() {

@@ -94,6 +94,7 @@ ExitCode parsed(int argc, char** argv) {
                   "offset, adaption, method, or more poses or cycles after those that the body has met.  Results go "
                   "there too, unless -o says otherwise")
       ->check([](const std::string& directory) { return directory.empty() ? "expected a directory's name" : ""; });
+  run->add_flag("--force", arguments.force, "Replace the results of another scene in that directory");
   run->footer(kRunExamples);
   CLI::App* check = app.add_subcommand("check", "Read and check all that run would use; compute nothing");
   check->add_option("SCENE", arguments.scene, "Scene file, TOML")->required();

@@ -15,6 +15,7 @@ struct Arguments {
   std::string directory;  // empty: results/<name>
   int threads = -1;       // number of threads; 0: all, -1: the scene's number
   std::string resumed;    // directory of an earlier run to resume, or empty
+  bool force = false;     // replace the results of another scene
   bool pieces = false;    // `ease garment` also writes the garment cut into pieces
 };
 

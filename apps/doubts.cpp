@@ -9,13 +9,13 @@ namespace ease {
 namespace {
 
 constexpr double kLargePart = 0.05;      // share of the garment's area: smaller parts are no doubt about the rest
-constexpr double kFarthestSlide = 0.25;  // m, from the place on the body where a part began
+constexpr double kFarthestSlide = 0.15;  // m, from the place on the body where a part began
 constexpr double kThrownSpeed = 10.0;    // m/s: a free fall of 5 m
 constexpr double kThrownOverBody = 4.0;  // times the speed of the body's surface
 
 std::string nameOf(const PartPresence& part, size_t number, const PassRecord& pass, const DoubtContext& context) {
   if (pass.on_body.size() == 1) return "the garment";
-  return fmt::format("part {} of the garment ({} vertices, vertex {} among them, {:.2g} % of its area)", number + 1,
+  return fmt::format("part {} of the garment ({} vertices, vertex {} among them, {:.0f} % of its area)", number + 1,
                      part.vertices, context.file_vertices[part.vertex], 100.0 * part.area_share);
 }
 
@@ -87,6 +87,22 @@ std::vector<std::string> unheldParts(const Scene& scene, const SceneInput& input
                                       p + 1, vertex));
   }
   return lines;
+}
+
+void doubt(const Scene& scene, const SceneInput& given, const Numbering& numbering, double body_motion,
+           Report& report) {
+  DoubtContext context{numbering.vertices, body_motion / scene.solver.time_step};
+  for (int& vertex : context.file_vertices) vertex = fileVertex(given, vertex);
+  const PassRecord& last = report.verified ? report.after : report.run;
+  report.doubts = doubtsOf(last, context);
+  if (report.verified && report.doubts.empty())
+    for (const std::string& line : doubtsOf(report.before, context))
+      report.doubts.push_back(line + ", with the first rest shape");
+  for (const std::string& unheld : unheldParts(scene, given))
+    (scene.adaption ? report.doubts : report.warnings).push_back(unheld);
+  for (const std::string& line : report.doubts)
+    report.warnings.push_back(line + ": the figures of the stretch say nothing");
+  for (const std::string& lost : lostParts(last, context)) report.warnings.push_back(lost);
 }
 
 }  // namespace ease

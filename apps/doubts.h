@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adaption/pass_record.h"
+#include "apps/report.h"
 #include "apps/scene.h"
 
 namespace ease {
@@ -25,5 +26,10 @@ std::vector<std::string> lostParts(const PassRecord& pass, const DoubtContext& c
 
 /// Doubts about a scene without a body: connected parts of the garment that no pin holds, in the file's numbering.
 std::vector<std::string> unheldParts(const Scene& scene, const SceneInput& input);
+
+/// Adds the doubts about a run, or about its replays, to the report, and warnings of them and of what fell off.
+/// `given`: the scene's input in the numbering of its files; `numbering`: the run's. `body_motion`: of the body's
+/// surface in a time step, at most, m.
+void doubt(const Scene& scene, const SceneInput& given, const Numbering& numbering, double body_motion, Report& report);
 
 }  // namespace ease

@@ -68,7 +68,7 @@ class Job {
       }
       progress_.reset();
       if (!interrupted_ && report_.failure.empty()) {
-        findDoubts();
+        doubt(scene_, given_, numbering_.garment, runInput(scene_, input_, nullptr).body_motion, report_);
         drawPictures();
       }
     }
@@ -241,20 +241,6 @@ class Job {
     return {showGarment(*cloth_, startOf(input_)), showGarment(*cloth_, end)};
   }
 
-  void findDoubts() {
-    const double body_speed = runInput(scene_, input_, body()).body_motion / scene_.solver.time_step;
-    DoubtContext context{numbering_.garment.vertices, body_speed};
-    for (int& vertex : context.file_vertices) vertex = fileVertex(given_, vertex);
-    const PassRecord& last = report_.verified ? report_.after : report_.run;
-    report_.doubts = doubtsOf(last, context);
-    if (report_.verified && report_.doubts.empty())
-      for (const std::string& doubt : doubtsOf(report_.before, context))
-        report_.doubts.push_back(doubt + ", with the first rest shape");
-    for (const std::string& unheld : unheldParts(scene_, given_))
-      (scene_.adaption ? report_.doubts : report_.warnings).push_back(unheld);
-    for (const std::string& lost : lostParts(last, context)) report_.warnings.push_back(lost);
-  }
-
   /// Shows how the replays began and ended; without replays, how the run ended.
   void drawPictures() {
     const double limit = scene_.adaption ? report_.limit : kShownStretch;
@@ -274,8 +260,6 @@ class Job {
   }
 
   void finishReport() {
-    for (const std::string& doubt : report_.doubts)
-      report_.warnings.push_back(doubt + ": the figures of the stretch say nothing");
     for (const std::string& warning : runWarnings(report_)) report_.warnings.push_back(warning);
     report_.interrupted = interrupted_;
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)

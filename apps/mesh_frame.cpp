@@ -54,7 +54,7 @@ std::string frameAdvice(const Vec3& size) {
     advice = fmt::format("unit = \"{}\" would make it {:.3g} m", name, longest * factor);
     break;
   }
-  if (size.z() > 1.5 * height && size.z() >= size.x()) advice += advice.empty() ? "up = \"z\"?" : ", with up = \"z\"?";
+  if (size.z() > 1.5 * height) advice += advice.empty() ? "up = \"z\"?" : ", with up = \"z\"?";
   return advice;
 }
 

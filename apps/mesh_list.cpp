@@ -28,10 +28,24 @@ std::string_view takeNumber(std::string_view& text) {
   return number;
 }
 
+/// Whether the name is what the pattern says; goes back to the last * where it is not.
 bool matches(std::string_view pattern, std::string_view name) {
-  if (pattern.empty()) return name.empty();
-  if (pattern[0] == '*') return matches(pattern.substr(1), name) || (!name.empty() && matches(pattern, name.substr(1)));
-  return !name.empty() && (pattern[0] == '?' || pattern[0] == name[0]) && matches(pattern.substr(1), name.substr(1));
+  size_t p = 0, n = 0, star = std::string_view::npos, resume = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      resume = n;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+      ++p;
+      ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      n = ++resume;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
 bool isMesh(const fs::path& file) {
@@ -45,7 +59,7 @@ bool isMesh(const fs::path& file) {
 std::vector<std::string> filesIn(const fs::path& folder, const fs::path& shown, const std::string& pattern) {
   std::vector<std::string> found;
   std::error_code unreadable;
-  for (const auto& entry : fs::directory_iterator(folder, unreadable)) {
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, unreadable)) {
     const std::string name = entry.path().filename().string();
     if (entry.is_regular_file(unreadable) && name.front() != '.' && isMesh(entry.path()) && matches(pattern, name))
       found.push_back((shown / name).string());

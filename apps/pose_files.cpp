@@ -21,6 +21,7 @@ namespace {
 constexpr double kLowestPerson = 0.4;        // m: a newborn, curled up
 constexpr double kTallestPerson = 2.6;       // m: arms raised
 constexpr double kHoleReach = 0.05;          // m: holes nearer to the garment than this are refused
+constexpr double kSamePlace = 1e-4;          // m
 constexpr double kFarthestFromOrigin = 1e7;  // m: beyond, whole voxels get lost in the numbers of a level set
 
 // Poses that stand further apart than this are taken for scans that were not aligned.
@@ -99,6 +100,13 @@ double distanceToGarment(const Hole& hole, const Triangles& patch, const Positio
   return nearest;
 }
 
+/// How many vertices of the hole's edge are vertices of the garment.
+long sharedWith(const Positions& garment, const Hole& hole, const Positions& body) {
+  return std::count_if(hole.loop.begin(), hole.loop.end(), [&](int v) {
+    return (garment.rowwise() - body.row(v)).rowwise().norm().minCoeff() < kSamePlace;
+  });
+}
+
 void closeHoles(const Scene& scene, const Positions* garment, const Warn& warn, Files& files) {
   const std::string& name = files.names.front();
   const TriangleMesh body{files.poses.front(), files.triangles};
@@ -107,6 +115,11 @@ void closeHoles(const Scene& scene, const Positions* garment, const Warn& warn, 
   for (const Hole& hole : holes) {
     const std::string place = fmt::format("about ({:.3f}, {:.3f}, {:.3f}), {:.2g} m wide, {} edges", hole.centre.x(),
                                           hole.centre.y(), hole.centre.z(), hole.width_m, hole.loop.size());
+    if (garment && 2 * sharedWith(*garment, hole, body.positions) > static_cast<long>(hole.loop.size()))
+      throw InputError(
+          fmt::format("{}: an open edge of it is one of the garment's, {}: is the garment in this file, too? "
+                      "Leave it out",
+                      name, place));
     const Triangles patch = patchFor(hole, body.positions, name);
     if (garment && !scene.body->close_all && distanceToGarment(hole, patch, body.positions, *garment) < kHoleReach)
       throw InputError(
@@ -153,7 +166,7 @@ void faceOutwards(const Warn& warn, Files& files) {
   warn(fmt::format("{}: inside out: its triangles face inwards and were turned over", files.names.front()));
 }
 
-void checkPlace(const Scene& scene, const Warn& warn, const Files& files) {
+void checkPlace(const Warn& warn, const Files& files) {
   for (size_t p = 0; p < files.poses.size(); ++p) {
     const double farthest = files.poses[p].cwiseAbs().maxCoeff();
     if (farthest > kFarthestFromOrigin)
@@ -162,15 +175,17 @@ void checkPlace(const Scene& scene, const Warn& warn, const Files& files) {
                       "there",
                       files.names[p], farthest, kFarthestFromOrigin));
   }
-  const Positions& pose = files.poses.front();
-  const Vec3 size = (pose.colwise().maxCoeff() - pose.colwise().minCoeff()).transpose();
-  const bool is_person = size.y() >= kLowestPerson && size.y() <= kTallestPerson && size.maxCoeff() <= kTallestPerson;
-  const bool is_limb = size.maxCoeff() < kLowestPerson && size.maxCoeff() > 0.1;
-  if (is_person || is_limb) return;
-  const std::string advice = frameAdvice(size);
-  warn(fmt::format("{}: {:.4g} m tall along y: a person is not; units? metres expected, y up{}", files.names.front(),
-                   size.y(), advice.empty() ? "" : "; [body] " + advice));
-  (void)scene;
+  for (size_t p = 0; p < files.poses.size(); ++p) {
+    const Positions& pose = files.poses[p];
+    const Vec3 size = (pose.colwise().maxCoeff() - pose.colwise().minCoeff()).transpose();
+    const bool is_person = size.y() >= kLowestPerson && size.maxCoeff() <= kTallestPerson;
+    const bool is_limb = size.maxCoeff() < kTallestPerson && size.maxCoeff() > 0.1 && size.y() > 0.5 * size.maxCoeff();
+    if (is_person || is_limb) continue;
+    const std::string advice = frameAdvice(size);
+    warn(fmt::format("{}: {:.4g} m tall along y: a person is not; units? metres expected, y up{}", files.names[p],
+                     size.y(), advice.empty() ? "" : "; [body] " + advice));
+    return;  // the others are told by the first
+  }
 }
 
 void alignPoses(const Scene& scene, const Warn& warn, SceneInput& input) {
@@ -206,7 +221,7 @@ std::string counted(long count, const std::string& what) {
 void readFilePoses(const Scene& scene, const Positions* garment, const Warn& warn, const Pause& pause,
                    SceneInput& input) {
   Files files = readFiles(scene, pause);
-  checkPlace(scene, warn, files);
+  checkPlace(warn, files);
   weldPoses(scene, warn, files);
   for (size_t p = 0; p < files.poses.size(); ++p) checkGeometry({files.poses[p], files.triangles}, files.names[p]);
   closeHoles(scene, garment, warn, files);

@@ -37,7 +37,10 @@ Json stretchRecord(const StretchRecord& record, const std::vector<std::string>& 
 }
 
 Json penetration(const Penetration& p) {
-  return {{"vertices", 1e3 * p.vertices}, {"centroids", 1e3 * p.centroids}, {"edge_midpoints", 1e3 * p.edge_midpoints}};
+  return {{"vertices", 1e3 * p.vertices},
+          {"centroids", 1e3 * p.centroids},
+          {"edge_midpoints", 1e3 * p.edge_midpoints},
+          {"triangles", 1e3 * p.triangles}};
 }
 
 double peakMemoryMB() {
@@ -47,12 +50,14 @@ double peakMemoryMB() {
 }
 
 double deepest(const Penetration& p) {
-  return std::max({p.vertices, p.edge_midpoints, p.centroids});
+  return std::max({p.vertices, p.edge_midpoints, p.centroids, p.triangles});
 }
 
 std::string depthLine(const char* when, const Penetration& p) {
-  return fmt::format("deepest in the body{}: vertices {:.2f} mm, edge midpoints {:.2f} mm, centroids {:.2f} mm\n", when,
-                     1e3 * p.vertices, 1e3 * p.edge_midpoints, 1e3 * p.centroids);
+  return fmt::format(
+      "deepest in the body{}: vertices {:.2f} mm, edge midpoints {:.2f} mm, centroids {:.2f} mm, whole triangles "
+      "{:.2f} mm\n",
+      when, 1e3 * p.vertices, 1e3 * p.edge_midpoints, 1e3 * p.centroids, 1e3 * deepest(p));
 }
 
 Json onBody(const PassRecord& pass) {
@@ -139,6 +144,7 @@ Json toJson(const Report& report, const Scene& scene) {
   for (const PassRecord* pass : {&report.before, &report.after}) {
     deepest.vertices = std::max(deepest.vertices, pass->penetration.vertices);
     deepest.edge_midpoints = std::max(deepest.edge_midpoints, pass->penetration.edge_midpoints);
+    deepest.triangles = std::max(deepest.triangles, pass->penetration.triangles);
     deepest.centroids = std::max(deepest.centroids, pass->penetration.centroids);
   }
   json["penetration_mm"] = penetration(deepest);
@@ -227,7 +233,7 @@ std::string summaryText(const Report& report) {
   std::string text;
   if (run.steps > 0)
     text = fmt::format(
-        "{} vertices, {} steps of {} ms in {:.1f} s: {:.1f} steps/s with setup and output, {:.1f} the time steps "
+        "{} vertices, {} steps of {:.4g} ms in {:.1f} s: {:.1f} steps/s with setup and output, {:.1f} the time steps "
         "alone\n{:.1f} s in all: {:.1f} s more for {}pictures and report\n",
         report.vertices, run.steps, 1e3 * report.time_step_s, run_s, perSecond(run.steps, run_s),
         perSecond(run.steps, run.times.step), report.total_s, report.total_s - run_s,
@@ -239,8 +245,8 @@ std::string summaryText(const Report& report) {
     const auto line = [&](const char* when, const StretchRecord& s) {
       text += fmt::format(
           "{}stretch {}: at most {:.3f}, 99 % below {:.3f}, over {:.3g}: {:.2f} % of the triangles, {:.2f} % taut\n",
-          report.doubts.empty() ? "" : "unverified ", when, s.overall.max, s.overall.p99, 1.0 + report.limit, 100.0 * s.overall.share_over_limit,
-          100.0 * s.overall.taut_share_over_limit);
+          report.doubts.empty() ? "" : "unverified ", when, s.overall.max, s.overall.p99, 1.0 + report.limit,
+          100.0 * s.overall.share_over_limit, 100.0 * s.overall.taut_share_over_limit);
     };
     line("before", report.before.stretch);
     line("after ", report.after.stretch);

@@ -243,10 +243,10 @@ void divideMotion(const TomlTable& root, Scene& scene) {
 }
 
 /// Reads the scene's name.  It is also the name of the result folder, so it must be a single folder that is not hidden.
-std::string readName(const TomlTable& root, const std::filesystem::path& file) {
+std::string readName(const TomlTable& root, const std::filesystem::path& file, bool names_folder) {
   const std::string name = root.text("name", file.stem().string());
-  if (name.front() == '.' || name.find_first_of("/\\") != std::string::npos)
-    root.refuse("name", "a name that can be a folder's: no slash, no dot in front");
+  if (names_folder && (name.front() == '.' || name.find_first_of("/\\") != std::string::npos))
+    root.refuse("name", "a name that can be a folder's: no slash, no dot in front; or -o with the folder");
   return name;
 }
 
@@ -265,12 +265,12 @@ void checkLength(const TomlTable& root, const Scene& scene) {
 
 }  // namespace
 
-Scene readScene(const std::filesystem::path& file) {
+Scene readScene(const std::filesystem::path& file, bool names_folder) {
   const TomlTable root = TomlTable::read(file);
   root.allow({"name", "body", "garment", "material", "solver", "collision", "adaption", "output"});
   Scene scene;
   scene.file = file;
-  scene.name = readName(root, file);
+  scene.name = readName(root, file, names_folder);
   if (const auto body = root.table("body")) scene.body = readBody(*body, file.parent_path());
   const auto garment = root.table("garment");
   if (!garment) root.refuse("garment", "a table [garment] with a mesh or a builtin garment");

@@ -108,7 +108,8 @@ inline bool fitsInPasses(const Scene& scene) {
 
 /// Reads a scene.  Throws InputError with file, line, key, the value found and what was expected: unknown keys (with
 /// the nearest known one), wrong types, impossible values, missing tables, keys that exclude each other.
-Scene readScene(const std::filesystem::path& file);
+/// `names_folder`: its name must be one that a folder can have.
+Scene readScene(const std::filesystem::path& file, bool names_folder = true);
 
 /// Time from one pose of the body to the next, s.
 inline double secondsPerPose(const Scene& scene) {

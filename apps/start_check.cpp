@@ -19,6 +19,9 @@ namespace {
 constexpr double kFarthestGarment = 0.5;   // m: distance between garment and body
 constexpr double kDeepestGarment = 0.001;  // m inside the body: less may come from coarse meshes
 constexpr double kPushable = 0.006;        // m inside the body: up to this vertices are moved out
+constexpr double kLargeEdge = 0.04;        // m: of a triangle; the samples of smaller ones lie close enough
+constexpr double kNearPart = 0.03;         // m: from a large triangle to the part of the body that it lies on
+constexpr double kLeastThickness = 0.4;    // of that part, over the longest edge
 constexpr double kOutside = 5e-4;          // m: where they then lie
 constexpr double kSamePlace = 1e-4;        // m
 constexpr double kSameSurface = 5e-3;      // m, mean distance of a body's vertices to another mesh of it
@@ -102,6 +105,47 @@ void moveOut(const std::string& name, const Warn& warn, const TriangleTree& body
       counted(inside, "vertex"), input.pose_names.front(), where));
 }
 
+/// Thickness of the body at the point nearest to x, straight inwards, m; at most `most`.
+double thicknessNear(const TriangleTree& body, const Vec3& x, double most) {
+  constexpr double kStep = 0.002;  // m
+  const ClosestPoint near = body.closest(x, most);
+  if (near.triangle < 0) return most;
+  const Vec3 inwards = -near.pseudonormal.normalized();
+  for (double depth = kStep; depth < most; depth += kStep)
+    if (body.windingNumber(near.point + depth * inwards) <= 0) return depth;
+  return most;
+}
+
+/// Throws where triangles lie on parts of the body so much thinner than their edges that these would pass through
+/// between the points at which contact is looked for.
+void refuseLargeTriangles(const std::string& name, const TriangleTree& body, const SceneInput& input) {
+  const Triangles& triangles = input.garment.triangles;
+  const Positions& x = input.garment.positions;
+  std::vector<double> thickness(triangles.rows(), kFarthestGarment), edges(triangles.rows(), 0.0);
+  parallelFor(static_cast<int>(triangles.rows()), 64, [&](int t) {
+    const Vec3 a = x.row(triangles(t, 0)), b = x.row(triangles(t, 1)), c = x.row(triangles(t, 2));
+    edges[t] = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    if (edges[t] < kLargeEdge) return;
+    const Vec3 centroid = (a + b + c) / 3.0;
+    if (body.closest(centroid, kNearPart).triangle >= 0) thickness[t] = thicknessNear(body, centroid, edges[t]);
+  });
+  int count = 0, worst = 0;
+  for (int t = 0; t < triangles.rows(); ++t) {
+    if (thickness[t] > kLeastThickness * edges[t]) continue;
+    if (count++ == 0 || thickness[t] / edges[t] < thickness[worst] / edges[worst]) worst = t;
+  }
+  if (count == 0) return;
+  const Vec3 at = x.row(triangles(worst, 0));
+  throw InputError(fmt::format(
+      "{}: {} too large for the part of the body that they lie on: that of vertex {} at ({:.3f}, {:.3f}, {:.3f}) has "
+      "an "
+      "edge of {:.2g} m, and the body is {:.2g} m thick there, so that it could pass through unseen: remesh the "
+      "garment to "
+      "edges of at most {:.2g} m",
+      name, counted(count, "triangle") + (count == 1 ? " is" : " are"), fileVertex(input, triangles(worst, 0)), at.x(),
+      at.y(), at.z(), edges[worst], thickness[worst], thickness[worst]));
+}
+
 }  // namespace
 
 void checkStart(const std::string& name, const Warn& warn, SceneInput& input) {
@@ -125,6 +169,7 @@ void checkStart(const std::string& name, const Warn& warn, SceneInput& input) {
   const GarmentParts parts = partsOf(input.garment);
   refuseBody(name, input, body, parts, distances);
   moveOut(name, warn, body, distances, input);
+  refuseLargeTriangles(name, body, input);
   const double offset = *std::max_element(input.offsets.begin(), input.offsets.end());
   for (size_t p = 0; p < parts.vertices.size(); ++p) {
     double near = kFarthestGarment;

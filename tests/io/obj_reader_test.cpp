@@ -27,6 +27,22 @@ TEST_CASE("an OBJ's index counts back from the vertices so far") {
   checkIsSquare(mesh);
 }
 
+TEST_CASE("an OBJ is read with lines that go on, carriage returns alone, capitals, byte order marks and UTF-16") {
+  const Folder folder;
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 .25\nv 0 1 0\nf 1 2 3 4\n";
+  checkIsSquare(readMesh(folder.write("a.obj", "v 0 0 0\nv 1 \\\n0 0\nv 1 1 .25\nv 0 1 0\nf 1 2 \\\r\n3 \\\n4\n")));
+  std::string returns = square, capitals = square, wide = "\xFF\xFE";
+  std::replace(returns.begin(), returns.end(), '\n', '\r');
+  checkIsSquare(readMesh(folder.write("b.obj", returns)));
+  std::replace(capitals.begin(), capitals.end(), 'v', 'V');
+  std::replace(capitals.begin(), capitals.end(), 'f', 'F');
+  checkIsSquare(readMesh(folder.write("c.obj", capitals)));
+  checkIsSquare(readMesh(folder.write("d.obj", "\xEF\xBB\xBF" + square)));
+  for (const char c : square) wide += {c, '\0'};
+  checkIsSquare(readMesh(folder.write("e.obj", wide)));
+  CHECK_THAT(messageOf(folder.write("f.obj", "v 0,5 0 0\n")), Contains("line 1") && Contains("decimal points"));
+}
+
 TEST_CASE("an OBJ without triangles is refused, and one of random bytes is such a one") {
   const Folder folder;
   CHECK_THAT(messageOf(folder.write("noise.obj", noise())), Contains("holds no triangles"));
