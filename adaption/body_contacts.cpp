@@ -5,6 +5,13 @@
 
 namespace ease {
 
+namespace {
+
+constexpr double kLargeTriangle = 0.025;  // m: the samples of smaller ones lie within 1.3 cm of each other
+constexpr double kDepthStep = 0.005;      // m: between points of large triangles at which the depth is measured
+
+}  // namespace
+
 BodyContacts::BodyContacts(MovingBody& body, const Cloth& cloth, std::span<const double> offsets,
                            const Schedule& schedule, const Substeps& substeps, double max_recovery)
     : body_(body),
@@ -65,6 +72,21 @@ void BodyContacts::measureSinceFind(const Positions& x) {
 
 void BodyContacts::deepen(Penetration& penetration) const {
   penetration.deepen(distances_, cloth_.vertexCount(), static_cast<int>(cloth_.topology().edges.size()));
+}
+
+void BodyContacts::deepenLargeTriangles(double s, const Positions& x, Penetration& penetration) {
+  const BodyMoment body = body_.at(s);
+  const Triangles& triangles = cloth_.triangles();
+  std::vector<double> depths(triangles.rows(), 0.0);
+  parallelFor(static_cast<int>(triangles.rows()), 64, [&](int t) {
+    const Vec3 a = x.row(triangles(t, 0)), b = x.row(triangles(t, 1)), c = x.row(triangles(t, 2));
+    const double longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+    const double nearest = distances_[cloth_.samples().centroid(t)];
+    // No point of the triangle is further than its longest side from the centroid; beyond the band nothing is known.
+    if (longest > kLargeTriangle && (nearest < longest || nearest >= body_.band()))
+      depths[t] = depthOfTriangle(body, a, b, c, kDepthStep);
+  });
+  for (const double depth : depths) penetration.triangles = std::max(penetration.triangles, depth);
 }
 
 void BodyContacts::recordUse(PassRecord& record) const {

@@ -46,6 +46,9 @@ class BodyContacts {
   /// As measure(), to first order and much faster, for cloth that moved little since find() at the same s.
   void measureSinceFind(const Positions& x);
   const std::vector<double>& distances() const { return distances_; }
+  /// Deepens `penetration` by the whole of those triangles of the cloth at `x` that are larger than what lies between
+  /// their samples. After measure() at the same s.
+  void deepenLargeTriangles(double s, const Positions& x, Penetration& penetration);
   /// Deepens `penetration` by what was measured last.
   void deepen(Penetration& penetration) const;
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "adaption/presence.h"
 #include "adaption/stretch_measure.h"
 #include "adaption/substeps.h"
 #include "collision/contacts.h"
@@ -33,6 +34,12 @@ struct PassTimes {
   PassTimes& operator+=(const PassTimes& other);
 };
 
+/// The fastest vertex over all measured moments.
+struct Fastest {
+  double speed_m_s = 0.0, time_s = 0.0;
+  int vertex = 0;
+};
+
 struct PassRecord {
   int steps = 0;         // time steps done
   int settle_steps = 0;  // among them, those after the motion
@@ -41,9 +48,11 @@ struct PassRecord {
   Substeps substeps;
   StretchRecord stretch;
   Penetration penetration;
-  double final_speed_m_s = 0.0;    // of the fastest vertex
-  double contact_stiffness = 0.0;  // used, N/m^3
-  StepSummary solver;              // sum over all steps
+  double final_speed_m_s = 0.0;  // of the fastest vertex
+  Fastest fastest;
+  std::vector<PartPresence> on_body;  // the garment's connected parts, largest first; empty without a body
+  double contact_stiffness = 0.0;     // used, N/m^3
+  StepSummary solver;                 // sum over all steps
   ContactRescues contact;
   long voxels_on_demand = 0;  // that no level set had foreseen
   double level_set_MB = 0.0;

@@ -6,6 +6,7 @@
 
 #include "solver/base/error.h"
 #include "solver/base/joined.h"
+#include "solver/base/parallel.h"
 #include "solver/base/stopwatch.h"
 
 namespace ease {
@@ -42,6 +43,7 @@ Run::Run(const RunSettings& settings, const RunInput& input, Cloth& cloth)
   if (input.body)
     contacts_.emplace(*input.body, cloth, input.offsets, settings.schedule, record_.substeps,
                       kRecoverySpeed * part_s_ + body_motion);
+  if (input.body) presence_.emplace(cloth, input.offsets);
   if (settings.limit && settings.schedule.adapt_every > 0) adaption_.emplace(cloth, *settings.limit, ordering_);
 }
 
@@ -74,6 +76,7 @@ void Run::begin(const RunWatch& watch) {
   }
   pins_.set(input_.pins, resumed_from_ ? resumed_from_->pins : std::vector<PinAnchor>(), state_.positions, body,
             input_.body ? input_.body->triangles() : Triangles());
+  if (presence_) presence_->tie(state_.positions, body, input_.body->triangles());
   if (resumed_from_) return;
   const Moment start = startMoment(settings_.schedule);
   measure(start, watch);
@@ -119,11 +122,20 @@ void Run::measure(const Moment& moment, const RunWatch& watch) {
   measureStretch(cloth_, state_.positions, stretch_);
   const double limit = settings_.limit.value_or(std::numeric_limits<double>::infinity());
   record_.stretch.add(momentStatistics(stretch_, limit), moment.pose);
-  record_.final_speed_m_s = state_.velocities.rowwise().norm().maxCoeff();
+  Fastest now{0.0, moment.time_s, 0};
+  now.speed_m_s = record_.final_speed_m_s = state_.velocities.rowwise().norm().maxCoeff(&now.vertex);
+  if (now.speed_m_s > record_.fastest.speed_m_s) record_.fastest = now;
   if (watch.on_stretch) watch.on_stretch(stretch_);
   if (!contacts_) return;
-  contacts_->measure(contacts_->bodyAt(moment.done), state_.positions);
-  if (moment.done.all > 0) contacts_->deepen(record_.penetration);
+  const double s = contacts_->bodyAt(moment.done);
+  contacts_->measure(s, state_.positions);
+  const BodyMoment body = input_.body->at(s);
+  presence_->add(moment.time_s, state_.positions, body, contacts_->distances(), input_.body->band(),
+                 [&](const Vec3& x) { return distanceTo(body, x); });
+  record_.on_body = presence_->parts();
+  if (moment.done.all == 0) return;
+  contacts_->deepen(record_.penetration);
+  contacts_->deepenLargeTriangles(s, state_.positions, record_.penetration);
 }
 
 void Run::adapt() {
@@ -146,7 +158,12 @@ void Run::tell(const Moment& moment, const RunWatch& watch) {
 Snapshot Run::snapshot(const Moment& moment) {
   Snapshot shot{moment, cloth_, state_, stretch_, pins_.vertices(), {}, {}, {}};
   if (!contacts_) return shot;
-  for (int v = 0; v < cloth_.vertexCount(); ++v) shot.gap.push_back(contacts_->distances()[v] - input_.offsets[v]);
+  const BodyMoment body = input_.body->at(contacts_->bodyAt(moment.done));
+  shot.gap.resize(cloth_.vertexCount());
+  parallelFor(cloth_.vertexCount(), 64, [&](int v) {
+    const double known = contacts_->distances()[v];
+    shot.gap[v] = (known < input_.body->band() ? known : distanceTo(body, state_.positions.row(v))) - input_.offsets[v];
+  });
   step_.potential().contactPressure(state_.positions, shot.pressure);
   input_.body->positions(contacts_->bodyAt(moment.done), shot.body);
   return shot;

@@ -12,6 +12,7 @@
 #include "adaption/body_contacts.h"
 #include "adaption/garment_pins.h"
 #include "adaption/pass_record.h"
+#include "adaption/presence.h"
 #include "adaption/rest_adaption.h"
 #include "adaption/timeline.h"
 #include "solver/model/rest_shape.h"
@@ -108,6 +109,7 @@ class Run {
   TimeStep step_;
   GarmentPins pins_;
   std::optional<BodyContacts> contacts_;  // none without a body
+  std::optional<Presence> presence_;      // none without a body
   std::optional<RestAdaption> adaption_;  // none where the rest shape stays
   State state_;
   std::optional<RunState> resumed_from_;

@@ -97,6 +97,8 @@ void recordMembers(Bytes& bytes, R& r) {
   bytes.array(r.stretch.poses);
   bytes.number(r.penetration);
   bytes.number(r.final_speed_m_s);
+  bytes.number(r.fastest);
+  bytes.array(r.on_body);
   bytes.number(r.contact_stiffness);
   bytes.number(r.solver);
   bytes.number(r.contact);

@@ -26,7 +26,8 @@ Examples:
   ease pattern scenes/tunic.toml                  sewing pattern
 Every key of a scene, with its unit, is explained in scenes/t-shirt.toml; those of the tools that make a garment, in
 scenes/tunic.toml.
-Exit codes: 0 done, 1 wrong input, 2 the computation failed, 130 interrupted.)";
+Exit codes: 0 done, 1 wrong input, 2 the computation failed, 3 done but the garment left the body, so that the figures
+say nothing, 130 interrupted.)";
 
 constexpr const char* kRunExamples = R"(
 Examples:
@@ -100,6 +101,7 @@ ExitCode parsed(int argc, char** argv) {
                   "offset, adaption, method, or more poses or cycles after those that the body has met.  Results go "
                   "there too, unless -o says otherwise")
       ->check([](const std::string& directory) { return directory.empty() ? "expected a directory's name" : ""; });
+  run->add_flag("--force", arguments.force, "Replace the results of another scene in that directory");
   run->footer(kRunExamples);
   CLI::App* check = app.add_subcommand("check", "Read and check all that run would use; compute nothing");
   check->add_option("SCENE", arguments.scene, "Scene file, TOML")->required();

@@ -1,15 +1,19 @@
 #include "apps/commands.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <new>
 #include <optional>
 
+#include "apps/garment_file.h"
 #include "apps/garment_files.h"
 #include "apps/job.h"
+#include "apps/mesh_list.h"
 #include "apps/result_directory.h"
 #include "apps/resume.h"
 #include "apps/scene.h"
@@ -36,6 +40,13 @@ SceneInput readWithWarnings(const Scene& scene, const std::atomic<bool>& interru
   return input;
 }
 
+void printParts(const TriangleMesh& mesh) {
+  const GarmentParts parts = partsOf(mesh);
+  std::vector<std::string> sizes;
+  for (const int vertices : parts.vertices) sizes.push_back(std::to_string(vertices));
+  if (sizes.size() > 1) fmt::print("            {} parts of {} vertices\n", sizes.size(), shortList(sizes));
+}
+
 /// Prints the summary of `ease check`, which shows the user whether the scene is the intended one.
 void printSummary(const Scene& scene, const SceneInput& input) {
   const Topology topology = buildTopology(input.garment, scene.name);
@@ -45,9 +56,19 @@ void printSummary(const Scene& scene, const SceneInput& input) {
   const size_t loops = topology.boundary_loops.size();
   fmt::print("  garment   {} vertices, {} triangles, {} boundary loop{}, {} pinned vertices\n",
              input.garment.positions.rows(), input.garment.triangles.rows(), loops, loops == 1 ? "" : "s", pinned);
+  for (size_t p = 0; p < input.pins.size(); ++p) {
+    Vec3 sum = Vec3::Zero();
+    for (const int v : input.pins[p]) sum += input.garment.positions.row(v).transpose();
+    const Vec3 mean = sum / static_cast<double>(std::max<size_t>(input.pins[p].size(), 1));
+    const auto* loop = std::get_if<std::string>(&scene.garment.pins[p].what);
+    fmt::print("            pin {}{}: {} vertices about ({:.3f}, {:.3f}, {:.3f})\n", p + 1,
+               loop ? fmt::format(", loop \"{}\"", *loop) : "", input.pins[p].size(), mean.x(), mean.y(), mean.z());
+  }
+  printParts(input.garment);
   if (scene.body) {
     fmt::print("  body      {} vertices, {} triangles, poses: {}\n", input.poses.front().rows(),
-               input.body_triangles.rows(), fmt::join(input.pose_names, ", "));
+               input.body_triangles.rows(), shortList(input.pose_names));
+    printParts({input.poses.front(), input.body_triangles});
   } else {
     fmt::print("  body      none\n");
   }
@@ -114,7 +135,7 @@ ExitCode checkCommand(const Arguments& arguments, const std::atomic<bool>& inter
 }
 
 ExitCode garmentCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
-  const Scene scene = readScene(arguments.scene);
+  const Scene scene = readScene(arguments.scene, arguments.directory.empty());
   if (!scene.garment.tools)
     throw InputError(fmt::format("{}: [garment] has no [[garment.boundary]]: expected the tools that make a garment",
                                  arguments.scene));
@@ -131,7 +152,7 @@ ExitCode garmentCommand(const Arguments& arguments, const std::atomic<bool>& int
 }
 
 ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
-  Scene scene = readScene(arguments.scene);
+  Scene scene = readScene(arguments.scene, arguments.directory.empty());
   if (arguments.threads >= 0) scene.solver.threads = arguments.threads;
   const fs::path directory = directoryOf(arguments, scene);
 
@@ -151,12 +172,14 @@ ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interru
       return kDone;
     }
     const ResultDirectory results(directory);
+    if (!checkpoint && !arguments.force) results.refuseOtherScene(scene.name);
     results.removeOldGarment(scene);
     if (input.authored) writeGarment(scene, input, directory, interrupted);
     try {
       std::error_code differs;
       const bool same_directory = checkpoint && fs::equivalent(directory, arguments.resumed, differs);
-      if (runScene(scene, input, directory, interrupted, checkpoint, same_directory)) return kDone;
+      const RunEnd end = runScene(scene, input, directory, interrupted, checkpoint, same_directory);
+      if (end != RunEnd::interrupted) return end == RunEnd::doubtful ? kDoubtful : kDone;
     } catch (const ComputationError& error) {
       throw ComputationError(fmt::format("{}; what was written until then is in {}", error.what(), directory.string()));
     }

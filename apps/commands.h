@@ -7,13 +7,15 @@
 
 namespace ease {
 
-enum ExitCode { kDone = 0, kWrongInput = 1, kFailed = 2, kInterrupted = 130 };
+/// kDoubtful: all was computed and written, but the figures do not mean what they say (doubts.h).
+enum ExitCode { kDone = 0, kWrongInput = 1, kFailed = 2, kDoubtful = 3, kInterrupted = 130 };
 
 struct Arguments {
   std::string scene;      // `ease pattern`: or the directory of a finished run
   std::string directory;  // empty: results/<name>
   int threads = -1;       // number of threads; 0: all, -1: the scene's number
   std::string resumed;    // directory of an earlier run to resume, or empty
+  bool force = false;     // replace the results of another scene
   bool pieces = false;    // `ease garment` also writes the garment cut into pieces
 };
 

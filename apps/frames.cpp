@@ -19,6 +19,26 @@ Frame restFrame(const Cloth& cloth, const std::vector<double>& first_areas) {
   return frame;
 }
 
+Frame asRead(const Frame& frame, const std::optional<GarmentAsRead>& file) {
+  if (!file) return frame;
+  Frame spread{file->mesh.positions, frame.vertex_arrays, frame.triangle_arrays};
+  for (size_t v = 0; v < file->vertex.size(); ++v)
+    if (file->vertex[v] >= 0) spread.positions.row(static_cast<long>(v)) = frame.positions.row(file->vertex[v]);
+  for (size_t a = 0; a < frame.vertex_arrays.size(); ++a) {
+    const NamedArray& array = frame.vertex_arrays[a];
+    std::vector<float>& values = spread.vertex_arrays[a].values;
+    values.assign(file->vertex.size() * array.components, 0.0F);
+    for (size_t v = 0; v < file->vertex.size(); ++v)
+      for (int k = 0; k < array.components && file->vertex[v] >= 0; ++k)
+        values[v * array.components + k] = array.values[static_cast<size_t>(file->vertex[v]) * array.components + k];
+  }
+  return spread;
+}
+
+const Triangles& trianglesAsRead(const SceneInput& input) {
+  return input.as_read ? input.as_read->mesh.triangles : input.garment.triangles;
+}
+
 Frame restored(const Frame& frame, const Numbering& numbering) {
   Frame original = frame;
   original.positions = restored(frame.positions, numbering.vertices);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "adaption/stretch_measure.h"
+#include "apps/scene.h"
 #include "solver/mesh/numbering.h"
 #include "solver/model/cloth.h"
 #include "solver/step/state.h"
@@ -28,6 +29,12 @@ Frame garmentFrame(const Cloth& cloth, const State& state, const GarmentFields& 
 
 /// Makes the frame of the rest shape, embedded in space, with the arrays that belong to it.
 Frame restFrame(const Cloth& cloth, const std::vector<double>& first_areas);
+
+/// Puts a garment's frame, in the order of its file's vertices that are left, on the vertices of the file.
+Frame asRead(const Frame& frame, const std::optional<GarmentAsRead>& file);
+
+/// The garment's triangles as its file numbers their vertices.
+const Triangles& trianglesAsRead(const SceneInput& input);
 
 /// Undoes the renumbering of a mesh: returns positions and arrays in their original order.
 Frame restored(const Frame& frame, const Numbering& numbering);

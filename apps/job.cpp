@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/doubts.h"
 #include "apps/frames.h"
 #include "apps/painted_rest.h"
 #include "apps/progress.h"
@@ -47,7 +48,7 @@ class Job {
         append_to_series_(append_to_series),
         interrupted_(interrupted) {}
 
-  bool operator()() {
+  RunEnd operator()() {
     {
       const Stopwatch total(report_.total_s);
       {
@@ -66,13 +67,17 @@ class Job {
         report_.failure = error.what();
       }
       progress_.reset();
-      if (!interrupted_ && report_.failure.empty()) drawPictures();
+      if (!interrupted_ && report_.failure.empty()) {
+        doubt(scene_, given_, numbering_.garment, runInput(scene_, input_, nullptr).body_motion, report_);
+        drawPictures();
+      }
     }
     finishReport();
     if (!report_.failure.empty()) throw ComputationError(report_.failure);
     if (!interrupted_) removeEarlierReport(directory_);
     fmt::print("{}", summaryText(report_));
-    return !interrupted_;
+    if (interrupted_) return RunEnd::interrupted;
+    return report_.doubts.empty() ? RunEnd::done : RunEnd::doubtful;
   }
 
  private:
@@ -177,8 +182,7 @@ class Job {
       return run_watch;
     };
     fit_watch.on_pass = [&](const FitState& state) {
-      const RunState start{
-          {}, {input_.garment.positions, Positions::Zero(cloth_->vertexCount(), 3)}, cloth_->rest(), {}, {}};
+      const RunState start{{}, {startOf(input_), Positions::Zero(cloth_->vertexCount(), 3)}, cloth_->rest(), {}, {}};
       writeCheckpoint(directory_ / kCheckpoint, checkpointOf(start, state));
     };
     const auto finish = [&] {
@@ -234,7 +238,7 @@ class Job {
   /// Shows the start and the end of a replay on a rest shape, which the cloth then has.
   ShownReplay shown(const RestShape& rest, const Positions& end) {
     cloth_->setRest(RestShape(rest));
-    return {showGarment(*cloth_, input_.garment.positions), showGarment(*cloth_, end)};
+    return {showGarment(*cloth_, startOf(input_)), showGarment(*cloth_, end)};
   }
 
   /// Shows how the replays began and ended; without replays, how the run ended.
@@ -242,7 +246,7 @@ class Job {
     const double limit = scene_.adaption ? report_.limit : kShownStretch;
     const auto draw = [&](const char* name, int pose, const std::vector<ShownColumn>& columns) {
       const TriangleMesh body = body_ ? TriangleMesh{input_.poses[pose], input_.body_triangles} : TriangleMesh();
-      const std::string reason = drawGarments(directory_ / name, columns, body, limit);
+      const std::string reason = drawGarments(directory_ / name, columns, body, limit, report_.doubts);
       if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
     };
     const auto last_pose = [](const Schedule& schedule) { return schedule.poses ? posesOfMotion(schedule).back() : 0; };
@@ -286,9 +290,9 @@ class Job {
 
 }  // namespace
 
-bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-              const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& resume_from,
-              bool append_to_series) {
+RunEnd runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
+                const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& resume_from,
+                bool append_to_series) {
   return Job(scene, input, directory, resume_from, append_to_series, interrupted)();
 }
 

@@ -10,12 +10,15 @@
 
 namespace ease {
 
-/// Simulates, adapts and verifies, and writes the results into `directory`, which must exist.  Returns false if
+/// How a job ended that did not fail: doubtful, where its figures do not mean what they say (doubts.h).
+enum class RunEnd { done, doubtful, interrupted };
+
+/// Simulates, adapts and verifies, and writes the results into `directory`, which must exist.  Ends as interrupted if
 /// `interrupted` became true before the end, and throws ComputationError if the computation fails; in both cases the
 /// files on disk are complete.  `resume_from`: checkpoint at which the run starts.  `append_to_series`: the resumed run
 /// writes into the directory of the earlier one and continues its series.
-bool runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-              const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& resume_from = std::nullopt,
-              bool append_to_series = false);
+RunEnd runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
+                const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& resume_from = std::nullopt,
+                bool append_to_series = false);
 
 }  // namespace ease

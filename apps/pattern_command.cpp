@@ -103,10 +103,13 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
       throw InputError(fmt::format(
           "{}: [garment] has no [[garment.seam]]: expected seams, along which a pattern is cut", scene.file.string()));
     const ResultDirectory results(directory);
+    bool doubtful = false;
     if (finishedReport(run).is_null()) {
       fmt::print("no finished run in {}: the scene is run first\n", run.string());
       if (input.authored) writeGarment(scene, input, directory, interrupted);
-      if (!runScene(scene, input, directory, interrupted)) {
+      const RunEnd end = runScene(scene, input, directory, interrupted);
+      doubtful = end == RunEnd::doubtful;
+      if (end == RunEnd::interrupted) {
         say("interrupted", fmt::format("what was written until then is in {}", directory.string()));
         return kInterrupted;
       }
@@ -137,7 +140,7 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
     }
     for (const std::string& warning : made.flat.warnings) say("warning", warning);
     fmt::print("{}results   {}\n", writePattern(scene, input, made, directory), directory.string());
-    return kDone;
+    return doubtful ? kDoubtful : kDone;
   });
 }
 

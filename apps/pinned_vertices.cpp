@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <map>
 
 #include "apps/words.h"
 #include "garment/named_loop.h"
@@ -33,12 +33,25 @@ std::vector<int> verticesIn(const Brush& ball, const Positions& positions) {
   return vertices;
 }
 
+/// Turns numbers of vertices in the garment's file into the garment's own.
+std::vector<int> fromFile(std::vector<int> vertices, const SceneInput& input) {
+  const long count = input.as_read ? input.as_read->mesh.positions.rows() : input.garment.positions.rows();
+  for (int& v : vertices) {
+    if (v >= count)
+      throw InputError(fmt::format("vertex {}: expected 0 to {}, the vertices of the garment", v, count - 1));
+    if (!input.as_read) continue;
+    if (input.as_read->vertex[v] < 0) throw InputError(fmt::format("vertex {} belongs to no triangle", v));
+    v = input.as_read->vertex[v];
+  }
+  return vertices;
+}
+
 }  // namespace
 
 std::vector<std::vector<int>> pinnedVertices(const Scene& scene, const SceneInput& input, const Topology& topology) {
   const TriangleMesh& garment = input.garment;
   std::vector<std::vector<int>> pins;
-  std::set<int> pinned;
+  std::map<int, bool> pinned;  // whether to the body
   for (const PinScene& pin : scene.garment.pins) {
     const std::string where = fmt::format("{}: [[garment.pin]] number {}", scene.file.string(), pins.size() + 1);
     try {
@@ -47,17 +60,18 @@ std::vector<std::vector<int>> pinnedVertices(const Scene& scene, const SceneInpu
       } else if (const auto* ball = std::get_if<Brush>(&pin.what)) {
         pins.push_back(verticesIn(*ball, garment.positions));
       } else {
-        pins.push_back(std::get<std::vector<int>>(pin.what));
+        pins.push_back(fromFile(std::get<std::vector<int>>(pin.what), input));
       }
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", where, error.what()));
     }
-    for (const int v : pins.back()) {
-      if (v >= garment.positions.rows())
-        throw InputError(fmt::format("{}: vertex {}: expected 0 to {}, the vertices of the garment", where, v,
-                                     garment.positions.rows() - 1));
-      if (!pinned.insert(v).second) throw InputError(fmt::format("{}: vertex {} is pinned twice", where, v));
-    }
+    std::erase_if(pins.back(), [&, to_body = pin.to_body](int v) {
+      const auto [entry, is_new] = pinned.emplace(v, to_body);
+      if (!is_new && entry->second != to_body)
+        throw InputError(fmt::format("{}: vertex {} is pinned to the body and in space: expected one of them", where,
+                                     fileVertex(input, v)));
+      return !is_new;  // pinned alike before
+    });
   }
   return pins;
 }

@@ -37,7 +37,10 @@ Json stretchRecord(const StretchRecord& record, const std::vector<std::string>& 
 }
 
 Json penetration(const Penetration& p) {
-  return {{"vertices", 1e3 * p.vertices}, {"centroids", 1e3 * p.centroids}, {"edge_midpoints", 1e3 * p.edge_midpoints}};
+  return {{"vertices", 1e3 * p.vertices},
+          {"centroids", 1e3 * p.centroids},
+          {"edge_midpoints", 1e3 * p.edge_midpoints},
+          {"triangles", 1e3 * p.triangles}};
 }
 
 double peakMemoryMB() {
@@ -47,12 +50,26 @@ double peakMemoryMB() {
 }
 
 double deepest(const Penetration& p) {
-  return std::max({p.vertices, p.edge_midpoints, p.centroids});
+  return std::max({p.vertices, p.edge_midpoints, p.centroids, p.triangles});
 }
 
 std::string depthLine(const char* when, const Penetration& p) {
-  return fmt::format("deepest in the body{}: vertices {:.2f} mm, edge midpoints {:.2f} mm, centroids {:.2f} mm\n", when,
-                     1e3 * p.vertices, 1e3 * p.edge_midpoints, 1e3 * p.centroids);
+  return fmt::format(
+      "deepest in the body{}: vertices {:.2f} mm, edge midpoints {:.2f} mm, centroids {:.2f} mm, whole triangles "
+      "{:.2f} mm\n",
+      when, 1e3 * p.vertices, 1e3 * p.edge_midpoints, 1e3 * p.centroids, 1e3 * deepest(p));
+}
+
+Json onBody(const PassRecord& pass) {
+  Json parts = Json::array();
+  for (const PartPresence& part : pass.on_body)
+    parts.push_back({{"vertices", part.vertices},
+                     {"area_share", part.area_share},
+                     {"nearest_m", part.nearest_m},
+                     {"distance_at_end_m", part.last_m},
+                     {"off_since_s", part.off_since_s ? Json(*part.off_since_s) : Json()},
+                     {"slid_m", part.slid_m}});
+  return parts;
 }
 
 double perSecond(int steps, double seconds) {
@@ -79,8 +96,8 @@ Json adaptionOf(const Report& report, const Scene& scene) {
   json["chosen_pass"] = report.fit.best + 1;
   json["check"] = {{"share_over_limit", report.fit_result.check.stretch.overall.share_over_limit},
                    {"wall_s", report.fit_result.check.times.total}};
-  json["target_met"] = report.fit_result.target_met;
-  json["reason"] = report.fit_result.reason;
+  json["target_met"] = report.doubts.empty() ? Json(report.fit_result.target_met) : Json();
+  json["reason"] = report.doubts.empty() ? report.fit_result.reason : report.doubts.front();
   return json;
 }
 
@@ -128,6 +145,7 @@ Json toJson(const Report& report, const Scene& scene) {
   for (const PassRecord* pass : {&report.before, &report.after}) {
     deepest.vertices = std::max(deepest.vertices, pass->penetration.vertices);
     deepest.edge_midpoints = std::max(deepest.edge_midpoints, pass->penetration.edge_midpoints);
+    deepest.triangles = std::max(deepest.triangles, pass->penetration.triangles);
     deepest.centroids = std::max(deepest.centroids, pass->penetration.centroids);
   }
   json["penetration_mm"] = penetration(deepest);
@@ -137,6 +155,13 @@ Json toJson(const Report& report, const Scene& scene) {
     json["penetration_mm"]["after"] = penetration(report.after.penetration);
   }
   json["final_speed_m_s"] = measuredIf(run.stretch.moments > 0, run.final_speed_m_s);
+  json["fastest_vertex"] =
+      measuredIf(run.stretch.moments > 0, {{"speed_m_s", run.fastest.speed_m_s}, {"time_s", run.fastest.time_s}});
+  json["on_body"]["run"] = onBody(run);
+  if (report.verified) {
+    json["on_body"]["before"] = onBody(report.before);
+    json["on_body"]["after"] = onBody(report.after);
+  }
   const std::string& method = nameOf(scene.solver.method);
   Json solver = {{"time_step_s", report.time_step_s}};
   if (method == "auto" || method == "pd-lbfgs" || method == "pd") solver["tolerance"] = scene.solver.tolerance;
@@ -160,6 +185,7 @@ Json toJson(const Report& report, const Scene& scene) {
                      {"contacts_recovery_limited", run.contact.limited}};
   json["level_set_MB"] = run.level_set_MB;
   json["peak_memory_MB"] = peakMemoryMB();
+  json["doubts"] = report.doubts;
   json["warnings"] = report.warnings;
   json["interrupted"] = report.interrupted;
   if (!report.failure.empty()) json["failure"] = report.failure;
@@ -208,24 +234,25 @@ std::string summaryText(const Report& report) {
   std::string text;
   if (run.steps > 0)
     text = fmt::format(
-        "{} vertices, {} steps of {} ms in {:.1f} s: {:.1f} steps/s with setup and output, {:.1f} the time steps "
+        "{} vertices, {} steps of {:.4g} ms in {:.1f} s: {:.1f} steps/s with setup and output, {:.1f} the time steps "
         "alone\n{:.1f} s in all: {:.1f} s more for {}pictures and report\n",
         report.vertices, run.steps, 1e3 * report.time_step_s, run_s, perSecond(run.steps, run_s),
         perSecond(run.steps, run.times.step), report.total_s, report.total_s - run_s,
         report.verified ? (report.fit.passes.empty() ? "replays, " : "check, ") : "");
   else
     text = fmt::format("{} vertices, no time step was left to do; {:.1f} s in all\n", report.vertices, report.total_s);
+  for (const std::string& doubt : report.doubts) text += fmt::format("stretch says nothing: {}\n", doubt);
   if (report.verified) {
     const auto line = [&](const char* when, const StretchRecord& s) {
       text += fmt::format(
-          "stretch {}: at most {:.3f}, 99 % below {:.3f}, over {:.3g}: {:.2f} % of the triangles, {:.2f} % taut\n",
-          when, s.overall.max, s.overall.p99, 1.0 + report.limit, 100.0 * s.overall.share_over_limit,
-          100.0 * s.overall.taut_share_over_limit);
+          "{}stretch {}: at most {:.3f}, 99 % below {:.3f}, over {:.3g}: {:.2f} % of the triangles, {:.2f} % taut\n",
+          report.doubts.empty() ? "" : "unverified ", when, s.overall.max, s.overall.p99, 1.0 + report.limit,
+          100.0 * s.overall.share_over_limit, 100.0 * s.overall.taut_share_over_limit);
     };
     line("before", report.before.stretch);
     line("after ", report.after.stretch);
   }
-  if (report.verified && !report.fit.passes.empty())
+  if (report.verified && !report.fit.passes.empty() && report.doubts.empty())
     text += fmt::format("fitted in {} passes, {:.1f} s: {}\n", report.fit.passes.size(),
                         report.time_to_fit_s.value_or(0.0), report.fit_result.reason);
   if (report.limit > 0.0)

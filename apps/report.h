@@ -30,6 +30,7 @@ struct Report {
   bool interrupted = false;
   std::string failure;  // where and why the computation failed; empty if it did not
   std::vector<std::string> warnings;
+  std::vector<std::string> doubts;  // why the figures say nothing (doubts.h)
 };
 
 /// Records the passes of a fit, and, if it has ended, the replays before and after.  `wall_s`: since the start, s.

@@ -38,8 +38,9 @@ RestGrowth growthOf(const Cloth& cloth) {
 RestShapeFigures writeRestShape(const Cloth& cloth, const SceneInput& given, const Numbering& numbering,
                                 const std::filesystem::path& directory) {
   const Frame rest = restored(restFrame(cloth, firstAreas(cloth)), numbering);
-  writeObj(directory / "rest_shape.obj", {rest.positions, given.garment.triangles});
-  writeVtp(directory / "rest_shape.vtp", given.garment.triangles, rest);
+  const Frame as_read = asRead(rest, given.as_read);
+  writeObj(directory / "rest_shape.obj", {as_read.positions, trianglesAsRead(given)});
+  writeVtp(directory / "rest_shape.vtp", trianglesAsRead(given), as_read);
   if (!given.seams.empty())
     writePieces({rest.positions, given.garment.triangles}, given.seams, directory, "rest_pieces");
   return {growthOf(cloth), foldedEdges(cloth, cloth.first().positions)};

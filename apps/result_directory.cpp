@@ -1,6 +1,9 @@
 #include "apps/result_directory.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -8,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "apps/resume.h"
 #include "solver/base/error.h"
@@ -24,6 +28,8 @@ namespace fs = std::filesystem;
 // it is removed last.
 constexpr std::array kGarmentFiles = {"garment.obj", "garment.vtp", "garment.png", "body.obj",
                                       "pieces.obj",  "pieces.vtp",  "pieces.json", "garment.json"};
+
+constexpr const char* kLock = ".ease-lock";
 
 constexpr std::array kShown = {"report.json", "stretch.png", "stretch_first_pose.png"};
 constexpr std::array kShapes = {"rest_shape.obj", "rest_shape.vtp", "rest_pieces.obj", "rest_pieces.vtp",
@@ -66,13 +72,45 @@ ResultDirectory::ResultDirectory(const fs::path& path) : path_(path) {
   const bool writable = static_cast<bool>(std::ofstream(probe) << '\n' << std::flush);
   const int reason = errno;
   fs::remove(probe, error);
-  if (writable) return;
+  if (writable) {
+    lock();
+    return;
+  }
   removeEmpty();
   throw InputError(fmt::format("{}: cannot write into this directory: {}", path.string(), std::strerror(reason)));
 }
 
 ResultDirectory::~ResultDirectory() {
+  unlock();
   removeEmpty();
+}
+
+void ResultDirectory::lock() {
+  lock_ = ::open((path_ / kLock).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+  if (lock_ < 0 || ::flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;  // some disks have no locks
+  ::close(std::exchange(lock_, -1));
+  throw InputError(
+      fmt::format("{}: another run writes into this directory: wait until it has ended, or choose another "
+                  "directory with -o",
+                  path_.string()));
+}
+
+void ResultDirectory::unlock() const {
+  if (lock_ < 0) return;
+  ::unlink((path_ / kLock).c_str());
+  ::close(lock_);
+}
+
+void ResultDirectory::refuseOtherScene(const std::string& scene) const {
+  std::ifstream in(path_ / "report.json");
+  const nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
+  if (!report.is_object() || !report.contains("scene") || !report["scene"].is_string()) return;
+  const std::string earlier_scene = report["scene"];
+  if (earlier_scene == scene) return;
+  throw InputError(
+      fmt::format("{}: holds the results of the scene '{}', not of '{}': choose another directory with -o, "
+                  "or replace them with --force",
+                  path_.string(), earlier_scene, scene));
 }
 
 void ResultDirectory::removeEmpty() const {

@@ -25,9 +25,9 @@ struct ShownColumn {
 };
 
 /// Draws the garments side by side, each on `body`, which may be empty.  The colour scale ends at twice `limit` and
-/// shows the limit; crumpled triangles (stretch_measure.h) are grey.  Returns an empty string, or the reason why no
-/// picture could be made.
+/// shows the limit; crumpled triangles (stretch_measure.h) are grey.  The first of the `doubts` (doubts.h) stands where
+/// the largest stretch would.  Returns an empty string, or the reason why no picture could be made.
 std::string drawGarments(const std::filesystem::path& file, const std::vector<ShownColumn>& columns,
-                         const TriangleMesh& body, double limit);
+                         const TriangleMesh& body, double limit, const std::vector<std::string>& doubts);
 
 }  // namespace ease

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/mesh_list.h"
 #include "apps/scene_tools.h"
 #include "apps/toml_table.h"
 #include "apps/words.h"
@@ -25,20 +26,33 @@ constexpr double kPassTimeStep = 0.0125;  // s
 constexpr double kPassTolerance = 0.2;
 constexpr double kPassCompression = 0.05;
 
-BodyScene readBody(const TomlTable& table) {
-  table.allow({"poses", "builtin", "seconds_per_pose", "steps", "match"});
+BodyScene readBody(const TomlTable& table, const std::filesystem::path& folder) {
+  table.allow(
+      {"poses", "builtin", "seconds_per_pose", "steps", "match", "unit", "up", "facing", "weld", "holes", "align"});
   if (table.has("steps") && table.has("seconds_per_pose"))
     table.refuse("steps", "either seconds_per_pose or steps, not both");
   BodyScene body;
   body.builtin = table.choice("builtin", body.builtin, {"mannequin"});
-  body.poses = table.texts("poses");
+  body.poses = table.isText("poses") ? std::vector{table.text("poses", "")} : table.texts("poses");
   if (body.poses.empty())
     table.refuse("poses", body.builtin.empty() ? "mesh files, one a pose" : listWords(mannequinPoses()));
   body.seconds_per_pose = table.number("seconds_per_pose", body.seconds_per_pose, {0.0, 1e4, true, "s"});
   body.steps = table.integer("steps", body.steps, 1, 100000);
   body.match_triangles = table.choice("match", "index", {"index", "triangles"}) == "triangles";
 
-  if (body.builtin.empty()) return body;
+  if (body.builtin.empty()) {
+    std::string missing;
+    const std::vector<std::string> files = expandFiles(body.poses, folder, missing);
+    if (files.empty()) table.refuse("poses", fmt::format("mesh files; none is called '{}'", missing));
+    body.poses = files;
+    body.frame = readFrame(table);
+    body.weld = table.boolean("weld", body.weld);
+    body.close_all = table.choice("holes", "far", {"far", "close"}) == "close";
+    if (table.has("align")) body.align = table.boolean("align", true);
+    return body;
+  }
+  for (const char* key : {"unit", "up", "facing", "weld", "holes", "align", "match"})
+    if (table.has(key)) table.refuse(key, "pose files for it: the mannequin is as it should be");
   for (const std::string& pose : body.poses) {
     const std::vector<std::string>& known = mannequinPoses();
     if (std::find(known.begin(), known.end(), pose) == known.end())
@@ -71,7 +85,7 @@ PinScene readPin(const TomlTable& table, bool has_body) {
 
 GarmentScene readGarment(const TomlTable& table, const std::optional<BodyScene>& body, bool may_be_draft) {
   table.allow({"mesh", "builtin", "vertices", "grain", "pin", "resolution", "edge_length", "smoothing", "boundary",
-               "region", "extension", "paint", "comfort", "seam"});
+               "region", "extension", "paint", "comfort", "seam", "unit", "up", "facing", "weld"});
   GarmentScene garment;
   garment.mesh = table.text("mesh", garment.mesh);
   garment.builtin = table.choice("builtin", garment.builtin, {"t-shirt", "dress"});
@@ -88,6 +102,10 @@ GarmentScene readGarment(const TomlTable& table, const std::optional<BodyScene>&
   if (garment.tools && table.has("vertices")) table.refuse("vertices", "resolution, since the garment has boundaries");
   if (!built_in && !garment.is_draft && table.has("vertices"))
     table.refuse("vertices", "builtin: a mesh has the vertices that it has");
+  for (const char* key : {"unit", "up", "facing", "weld"})
+    if (garment.mesh.empty() && table.has(key)) table.refuse(key, "mesh, a file, for it");
+  if (!garment.mesh.empty()) garment.frame = readFrame(table, body ? body->frame : MeshFrame());
+  garment.weld = table.boolean("weld", garment.weld);
   garment.vertices = table.integer("vertices", garment.vertices, 100, 200000);
 
   garment.grain = readVec3(table, "grain", garment.grain, 1e6, "");
@@ -227,10 +245,10 @@ void divideMotion(const TomlTable& root, Scene& scene) {
 }
 
 /// Reads the scene's name.  It is also the name of the result folder, so it must be a single folder that is not hidden.
-std::string readName(const TomlTable& root, const std::filesystem::path& file) {
+std::string readName(const TomlTable& root, const std::filesystem::path& file, bool names_folder) {
   const std::string name = root.text("name", file.stem().string());
-  if (name.front() == '.' || name.find_first_of("/\\") != std::string::npos)
-    root.refuse("name", "a name that can be a folder's: no slash, no dot in front");
+  if (names_folder && (name.front() == '.' || name.find_first_of("/\\") != std::string::npos))
+    root.refuse("name", "a name that can be a folder's: no slash, no dot in front; or -o with the folder");
   return name;
 }
 
@@ -247,12 +265,12 @@ void checkLength(const TomlTable& root, const Scene& scene) {
       ->refuse("steps", fmt::format("at most {:.0f} time steps in all, found {:.0f}", kMaxTimeSteps, steps));
 }
 
-Scene readRoot(const TomlTable& root, const std::filesystem::path& file, bool may_be_draft) {
+Scene readRoot(const TomlTable& root, const std::filesystem::path& file, bool may_be_draft, bool names_folder) {
   root.allow({"name", "body", "garment", "material", "solver", "collision", "adaption", "output", "pattern"});
   Scene scene;
   scene.file = file;
-  scene.name = readName(root, file);
-  if (const auto body = root.table("body")) scene.body = readBody(*body);
+  scene.name = readName(root, file, names_folder);
+  if (const auto body = root.table("body")) scene.body = readBody(*body, file.parent_path());
   const auto garment = root.table("garment");
   if (!garment && !may_be_draft) root.refuse("garment", "a table [garment] with a mesh or a builtin garment");
   if (garment)
@@ -281,12 +299,12 @@ Scene readRoot(const TomlTable& root, const std::filesystem::path& file, bool ma
 
 }  // namespace
 
-Scene readScene(const std::filesystem::path& file) {
-  return readRoot(TomlTable::read(file), file, false);
+Scene readScene(const std::filesystem::path& file, bool names_folder) {
+  return readRoot(TomlTable::read(file), file, false, names_folder);
 }
 
 Scene readDraft(const std::string& text, const std::filesystem::path& file) {
-  return readRoot(TomlTable::parse(text, file), file, true);
+  return readRoot(TomlTable::parse(text, file), file, true, true);
 }
 
 }  // namespace ease

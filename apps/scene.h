@@ -2,6 +2,7 @@
 // file's keys.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "adaption/fit.h"
+#include "apps/mesh_frame.h"
 #include "apps/scene_pattern.h"
 #include "garment/authoring.h"
 #include "solver/base/error.h"
@@ -24,6 +26,10 @@ struct BodyScene {
   int steps =
       Schedule().interpolation_steps;  // interpolation steps from one pose to the next; a single pose is held this long
   bool match_triangles = false;        // match = "triangles": match the poses' vertices by their triangles
+  MeshFrame frame;                     // unit and axes of the files
+  bool weld = true;                    // whether open edges at one place are closed (solver/mesh/weld.h)
+  bool close_all = false;              // holes = "close": also those near the garment
+  std::optional<bool> align;           // of poses that stand elsewhere; none: those further than a person moves
   double seconds_per_pose = 0.6;       // from one pose to the next, s; `steps` follow from it unless they are given
 };
 
@@ -33,6 +39,8 @@ struct PinScene {
 };
 
 struct GarmentScene {
+  MeshFrame frame;                       // unit and axes of the file
+  bool weld = true;                      // as in BodyScene
   std::string mesh;                      // file relative to the scene file; empty: built-in or made by tools
   std::string builtin;                   // "t-shirt", "dress"
   int vertices = 3000;                   // approximate number of vertices of the built-in garment
@@ -104,7 +112,19 @@ inline bool fitsInPasses(const Scene& scene) {
 
 /// Reads a scene.  Throws InputError with file, line, key, the value found and what was expected: unknown keys (with
 /// the nearest known one), wrong types, impossible values, missing tables, keys that exclude each other.
-Scene readScene(const std::filesystem::path& file);
+/// `names_folder`: its name must be one that a folder can have.
+Scene readScene(const std::filesystem::path& file, bool names_folder = true);
+
+/// Time from one pose of the body to the next, s.
+inline double secondsPerPose(const Scene& scene) {
+  return scene.body ? scene.body->steps * scene.solver.steps_per_pose * scene.solver.time_step : 0.0;
+}
+
+/// A garment as its file has it, where the garment's vertices are other ones: welded, or without those not used.
+struct GarmentAsRead {
+  TriangleMesh mesh;
+  std::vector<int> vertex;  // of the garment, for each vertex of the file; -1: none
+};
 
 /// The same for the text of a file that need not exist, and of a scene that is still being made: it may lack a garment,
 /// or have boundaries and no region yet.
@@ -113,6 +133,8 @@ Scene readDraft(const std::string& text, const std::filesystem::path& file);
 /// The meshes and other data that a scene refers to, read and checked.
 struct SceneInput {
   TriangleMesh garment;
+  Positions start;  // where the garment begins, m; empty: at `garment`
+  std::optional<GarmentAsRead> as_read;
   Triangles body_triangles;  // empty: no body
   std::vector<std::string> pose_names;
   std::vector<Positions> poses;        // same order as pose_names
@@ -124,6 +146,18 @@ struct SceneInput {
   std::vector<double> paint;          // scale factor of every triangle's rest shape; empty: no paint
   std::vector<std::string> warnings;  // one line each
 };
+
+/// Where the garment's vertices begin, m.
+inline const Positions& startOf(const SceneInput& input) {
+  return input.start.rows() > 0 ? input.start : input.garment.positions;
+}
+
+/// Number that a vertex of the garment has in its file: the first one that became it.
+inline int fileVertex(const SceneInput& input, int vertex) {
+  if (!input.as_read) return vertex;
+  const std::vector<int>& of_file = input.as_read->vertex;
+  return static_cast<int>(std::find(of_file.begin(), of_file.end(), vertex) - of_file.begin());
+}
 
 /// Function that receives a warning of one line.
 using Warn = std::function<void(const std::string&)>;

@@ -7,101 +7,26 @@
 #include <limits>
 #include <map>
 
+#include "apps/garment_file.h"
 #include "apps/pinned_vertices.h"
+#include "apps/pose_files.h"
 #include "apps/resume.h"
+#include "apps/start_check.h"
 #include "collision/body/mannequin.h"
-#include "collision/triangle_tree.h"
 #include "garment/builtin_garment.h"
 #include "garment/comfort.h"
 #include "garment/named_loop.h"
 #include "garment/paint.h"
 #include "solver/base/error.h"
-#include "solver/io/mesh_io.h"
 #include "solver/mesh/mesh_checks.h"
 #include "solver/mesh/topology.h"
+#include "solver/model/warp.h"
 
 namespace ease {
 
 namespace {
 
-constexpr double kLowestPerson = 0.4;        // m: a newborn, curled up
-constexpr double kTallestPerson = 2.6;       // m: arms raised
-constexpr double kFarthestGarment = 0.5;     // m: distance between garment and body
-constexpr double kDeepestGarment = 0.001;    // m inside the body: less may come from coarse meshes
-constexpr double kLargestLimit = 0.5;        // stretch limit; no cloth stands more, 1.08 for 8 % is an error
-constexpr double kMinProjectedGrain = 1e-6;  // length of a unit grain vector in a triangle's plane
-
-std::filesystem::path besideScene(const Scene& scene, const std::string& file) {
-  return (scene.file.parent_path() / file).lexically_normal();
-}
-
-/// Reads the mesh that a key of the scene names.
-TriangleMesh readNamedMesh(const Scene& scene, const char* key, const std::string& file) {
-  const std::filesystem::path path = besideScene(scene, file);
-  if (!std::filesystem::exists(path))
-    throw InputError(fmt::format("{}: {} = '{}': no such file: {}", scene.file.string(), key, file, path.string()));
-  return readMesh(path);
-}
-
-/// Returns six times the volume that a closed mesh encloses, m^3; negative if its triangles face inwards.
-double sixVolumes(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  const Vec3 origin = mesh.positions.row(0);
-  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
-    const Vec3 a = mesh.positions.row(mesh.triangles(t, 0)).transpose() - origin;
-    const Vec3 b = mesh.positions.row(mesh.triangles(t, 1)).transpose() - origin;
-    const Vec3 c = mesh.positions.row(mesh.triangles(t, 2)).transpose() - origin;
-    sum += a.dot(b.cross(c));
-  }
-  return sum;
-}
-
-/// Checks that a body is closed and oriented outwards, so that it has an inside and an outside.  It may intersect
-/// itself and may have several parts.
-void checkBody(const TriangleMesh& mesh, const std::string& name) {
-  int open_edges = 0;
-  for (const Edge& edge : buildTopology(mesh, name).edges) open_edges += edge.isBoundary() ? 1 : 0;
-  if (open_edges > 0)
-    throw InputError(fmt::format("{}: {} boundary edges: expected a closed body, with an inside", name, open_edges));
-  if (sixVolumes(mesh) <= 0.0)
-    throw InputError(fmt::format("{}: inside out: expected triangles counter-clockwise seen from outside", name));
-}
-
-void warnOfHeight(const Positions& pose, const std::string& name, const Warn& warn) {
-  const double height = pose.col(1).maxCoeff() - pose.col(1).minCoeff();
-  if (height >= kLowestPerson && height <= kTallestPerson) return;
-  warn(fmt::format("{}: {:.4g} m tall along y: a person is not; units? metres expected, y up", name, height));
-}
-
-void readFilePoses(const Scene& scene, const Warn& warn, const Pause& pause, SceneInput& input) {
-  std::map<std::string, size_t> seen;  // repeated poses are read only once
-  TriangleMesh first;
-  std::string first_name;
-  for (const std::string& file : scene.body->poses) {
-    const auto [entry, is_new] = seen.emplace(file, input.poses.size());
-    input.pose_names.push_back(std::filesystem::path(file).stem().string());
-    if (!is_new) {
-      input.poses.push_back(input.poses[entry->second]);
-      continue;
-    }
-    pauseIn(pause);
-    const std::string name = besideScene(scene, file).string();
-    TriangleMesh pose = readNamedMesh(scene, "[body] poses", file);
-    checkGeometry(pose, name);
-    checkVerticesUsed(pose, name);
-    if (input.poses.empty()) {
-      first = pose;
-      first_name = name;
-    } else {
-      if (scene.body->match_triangles) pose = matchByTriangles(first, first_name, pose, name);
-      checkSameTriangles(first, first_name, pose, name);
-    }
-    checkBody(pose, name);
-    warnOfHeight(pose.positions, name, warn);
-    input.poses.push_back(std::move(pose.positions));
-  }
-  input.body_triangles = std::move(first.triangles);
-}
+constexpr double kLargestLimit = 0.5;  // stretch limit; no cloth stands more, 1.08 for 8 % is an error
 
 void makeBuiltinPoses(const Scene& scene, const Pause& pause, SceneInput& input) {
   std::map<std::string, size_t> seen;
@@ -125,7 +50,9 @@ void readPoses(const Scene& scene, const Warn& warn, const Pause& pause, const S
     input.pose_names = known->pose_names;
     input.poses = known->poses;
   } else if (scene.body->builtin.empty()) {
-    readFilePoses(scene, warn, pause, input);
+    // readBodyInput() has no garment, and tools have not made theirs yet
+    const bool has_garment = !scene.garment.tools && input.garment.positions.rows() > 0;
+    readFilePoses(scene, has_garment ? &input.garment.positions : nullptr, warn, pause, input);
   } else {
     makeBuiltinPoses(scene, pause, input);
   }
@@ -175,67 +102,9 @@ std::string readGarment(const Scene& scene, double offset, const Warn& warn, con
     drawSeams(scene, "the built-in garment", input);
     return fmt::format("{}: [garment] builtin = '{}'", scene.file.string(), garment.builtin);
   }
-  const std::filesystem::path file = besideScene(scene, garment.mesh);
-  input.garment = readNamedMesh(scene, "[garment] mesh", garment.mesh);
-  drawSeams(scene, file.string(), input);
-  return file.string();
-}
-
-/// Checks that every triangle has a warp direction, which is the grain projected into its plane: a triangle at right
-/// angles to the grain has none.
-void checkGrain(const Scene& scene, const TriangleMesh& garment) {
-  const Vec3& grain = scene.garment.grain;
-  for (int t = 0; t < garment.triangles.rows(); ++t) {
-    const Vec3 a = garment.positions.row(garment.triangles(t, 0));
-    const Vec3 b = garment.positions.row(garment.triangles(t, 1));
-    const Vec3 c = garment.positions.row(garment.triangles(t, 2));
-    const Vec3 normal = doubleAreaNormal(a, b, c).normalized();
-    if (normal.cross(grain).norm() >= kMinProjectedGrain) continue;
-    throw InputError(
-        fmt::format("{}: [garment] grain = [{:g}, {:g}, {:g}]: the normal of triangle {} of {} is parallel to it: "
-                    "expected a grain that has a direction in every triangle",
-                    scene.file.string(), grain.x(), grain.y(), grain.z(), t,
-                    scene.garment.mesh.empty() ? "the garment" : scene.garment.mesh));
-  }
-}
-
-/// Returns the smallest distance between a vertex and the body, m.
-double distanceBetween(const Positions& positions, const TriangleTree& body) {
-  double nearest = std::numeric_limits<double>::max();
-  for (Eigen::Index v = 0; v < positions.rows(); ++v) {
-    const ClosestPoint closest = body.closest(positions.row(v), nearest);
-    if (closest.triangle >= 0) nearest = closest.distance;
-  }
-  return nearest;
-}
-
-/// Checks that the garment starts on the body: not far from it, and not inside, where contact could push vertices out
-/// on the wrong side.
-void checkStart(const SceneInput& input, const std::string& garment_name) {
-  const TriangleTree body(input.poses.front(), input.body_triangles);
-  double nearest = kFarthestGarment, deepest = 0.0;
-  Eigen::Index deepest_vertex = 0;
-  int inside = 0;
-  const Positions& positions = input.garment.positions;
-  for (Eigen::Index v = 0; v < positions.rows(); ++v) {
-    const double distance = body.signedDistance(positions.row(v), kFarthestGarment);
-    nearest = std::min(nearest, std::abs(distance));
-    inside += distance < -kDeepestGarment ? 1 : 0;
-    if (distance >= deepest) continue;
-    deepest = distance;
-    deepest_vertex = v;
-  }
-  const std::string& pose = input.pose_names.front();
-  if (inside > 0)
-    throw InputError(
-        fmt::format("{}: {} of {} vertices lie inside the first pose, '{}', vertex {} deepest, {:.1f} mm: "
-                    "expected a garment that starts outside the body",
-                    garment_name, inside, positions.rows(), pose, deepest_vertex, -1000.0 * deepest));
-  if (nearest >= kFarthestGarment)
-    throw InputError(
-        fmt::format("{}: at least {:.3g} m away from the first pose, '{}': expected a garment on the body, "
-                    "at most {:g} m away at its nearest; units? metres expected",
-                    garment_name, distanceBetween(positions, body), pose, kFarthestGarment));
+  const std::string name = readGarmentFile(scene, warn, input);
+  drawSeams(scene, name, input);
+  return name;
 }
 
 }  // namespace
@@ -259,7 +128,8 @@ SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarme
   checkGeometry(input.garment, name);
   checkVerticesUsed(input.garment, name);
   const Topology topology = buildTopology(input.garment, name);
-  checkGrain(scene, input.garment);
+  tellParts(input.garment, name, warn);
+  ofGarment(scene, [&] { return warpDirections(input.garment, topology, scene.garment.grain); });
   input.pins = pinnedVertices(scene, input, topology);
   if (!input.authored)
     input.offsets = ofGarment(scene, [&] {
@@ -270,7 +140,8 @@ SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarme
 
   if (!scene.body) return input;
   if (!scene.garment.tools) readPoses(scene, warn, pause, body, input);
-  checkStart(input, name);
+  checkMotion(scene, input, warn);
+  checkStart(name, warn, input);
   return input;
 }
 
@@ -297,6 +168,7 @@ SceneInput renumbered(const SceneInput& input, const InputNumbering& numbering) 
   ordered.garment = renumbered(input.garment, numbering.garment);
   for (std::vector<int>& pin : ordered.pins)
     for (int& v : pin) v = number[v];
+  if (input.start.rows() > 0) ordered.start = renumbered(input.start, numbering.garment.vertices);
   ordered.authored.reset();
   ordered.loops.clear();
   ordered.seams.clear();

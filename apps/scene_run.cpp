@@ -55,7 +55,7 @@ RunSettings runSettings(const Scene& scene, const Schedule& schedule) {
 }
 
 RunInput runInput(const Scene& scene, const SceneInput& input, MovingBody* body) {
-  RunInput run{input.garment.positions, input.offsets, {}, body, bodyMotion(scene, input)};
+  RunInput run{startOf(input), input.offsets, {}, body, bodyMotion(scene, input)};
   for (size_t k = 0; k < input.pins.size(); ++k) run.pins.push_back({input.pins[k], scene.garment.pins[k].to_body});
   return run;
 }

@@ -7,11 +7,12 @@ namespace ease {
 SeriesOfRun::SeriesOfRun(const std::filesystem::path& directory, const SceneInput& given,
                          const InputNumbering& numbering, const std::vector<double>& first_areas,
                          std::optional<double> limit, double keep_until)
-    : garment_(directory, "garment", given.garment.triangles, keep_until),
-      rest_(directory, "rest", given.garment.triangles, keep_until),
+    : garment_(directory, "garment", trianglesAsRead(given), keep_until),
+      rest_(directory, "rest", trianglesAsRead(given), keep_until),
       numbering_(numbering),
       first_areas_(first_areas),
-      limit_(limit) {
+      limit_(limit),
+      as_read_(given.as_read) {
   if (given.body_triangles.rows() > 0) body_.emplace(directory, "body", given.body_triangles, keep_until);
 }
 
@@ -20,8 +21,8 @@ void SeriesOfRun::write(const Snapshot& snapshot) {
   const GarmentFields fields{snapshot.stretch, first_areas_, snapshot.gap, snapshot.pressure, snapshot.pinned, limit_};
   const Frame garment = garmentFrame(snapshot.cloth, snapshot.state, fields);
   if (body_) body_->write(time_s, restored(Frame{snapshot.body, {}, {}}, numbering_.body));
-  garment_.write(time_s, restored(garment, numbering_.garment));
-  rest_.write(time_s, restored(restFrame(snapshot.cloth, first_areas_), numbering_.garment));
+  garment_.write(time_s, asRead(restored(garment, numbering_.garment), as_read_));
+  rest_.write(time_s, asRead(restored(restFrame(snapshot.cloth, first_areas_), numbering_.garment), as_read_));
 }
 
 void SeriesOfRun::finish() {

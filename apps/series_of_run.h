@@ -30,6 +30,7 @@ class SeriesOfRun {
   InputNumbering numbering_;
   std::vector<double> first_areas_;
   std::optional<double> limit_;
+  std::optional<GarmentAsRead> as_read_;
 };
 
 }  // namespace ease

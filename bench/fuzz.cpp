@@ -3,6 +3,7 @@
 //
 //   tried      damaged inputs, except those that ask for a long job
 //   done       commands with exit code 0
+//   doubtful   commands with exit code 3: done, but the garment is not on the body
 //   refused    commands with exit code 1
 //   failed     commands with exit code 2
 //   crashes    commands ended by a signal
@@ -35,6 +36,7 @@ void tryDamages(benchmark::State& state, const FuzzKind& kind, unsigned inputs) 
     }
     state.counters["tried"] = static_cast<int>(inputs) - ends[End::not_tried];
     state.counters["done"] = ends[End::done];
+    state.counters["doubtful"] = ends[End::doubtful];
     state.counters["refused"] = ends[End::wrong_input];
     state.counters["failed"] = ends[End::failed];
     state.counters["crashes"] = ends[End::crash];

@@ -84,10 +84,34 @@ void ContactFinder::distancesSinceFind(std::span<const Vec3> samples, std::vecto
               [&](int s) { distances[s] = found_[s].phi + found_[s].normal.dot(samples[s] - points_[s]); });
 }
 
+double distanceTo(const BodyMoment& body, const Vec3& x) {
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const ClosestPoint near = body.tree->closest(x, kAny);
+  if (near.triangle < 0 || body.tau == 0.0) return near.distance;
+  const Vec3 carried = x - body.tau * body.motionOfTriangle(near.triangle);
+  return body.tree->closest(carried, kAny, near.triangle).distance;
+}
+
+double depthOfTriangle(const BodyMoment& body, const Vec3& a, const Vec3& b, const Vec3& c, double step) {
+  const double longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  const int n = std::max(1, static_cast<int>(std::ceil(longest / step)));
+  double deepest = 0.0;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j) {
+      const Vec3 x = a + (b - a) * (static_cast<double>(i) / n) + (c - a) * (static_cast<double>(j) / n);
+      const ClosestPoint near = body.tree->closest(x, kMaxDistance);
+      if (near.triangle < 0) continue;
+      const Vec3 carried = x - body.tau * body.motionOfTriangle(near.triangle);
+      deepest = std::max(deepest, -body.tree->signedDistance(carried, kMaxDistance));
+    }
+  return deepest;
+}
+
 void Penetration::deepen(const std::vector<double>& sample_distances, int vertex_count, int edge_count) {
   for (int s = 0; s < static_cast<int>(sample_distances.size()); ++s) {
     double& deepest = s < vertex_count ? vertices : s < vertex_count + edge_count ? edge_midpoints : centroids;
     deepest = std::max(deepest, -sample_distances[s]);
+    triangles = std::max(triangles, -sample_distances[s]);
   }
 }
 

@@ -24,9 +24,16 @@
 
 namespace ease {
 
+/// Distance of a point to the body's surface, m, without limit and without sign. Slow: for points beyond the level set.
+double distanceTo(const BodyMoment& body, const Vec3& x);
+
+/// Depth of a triangle's deepest point in the body, m, 0 outside: looked for in steps of at most `step` (m).
+double depthOfTriangle(const BodyMoment& body, const Vec3& a, const Vec3& b, const Vec3& c, double step);
+
 /// Largest depth of the cloth inside the body by kind of sample, m; 0 if no sample is inside.
 struct Penetration {
   double vertices = 0.0, edge_midpoints = 0.0, centroids = 0.0;
+  double triangles = 0.0;  // at any point of large triangles, measured less often; at least the others
   /// Raises the depths to those of these signed distances, one a sample, m.
   void deepen(const std::vector<double>& sample_distances, int vertex_count, int edge_count);
 };

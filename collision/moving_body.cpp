@@ -22,7 +22,11 @@ constexpr double kMarginVoxels = 0.4;  // how far samples move away from the poi
 
 MovingBody::MovingBody(const Triangles& triangles, const std::vector<Positions>& poses, int steps,
                        const LevelSetOptions& options)
-    : triangles_(triangles), steps_(steps), margin_(kMarginVoxels * options.voxel), first_(poses.front()) {
+    : triangles_(triangles),
+      steps_(steps),
+      margin_(kMarginVoxels * options.voxel),
+      band_(options.band),
+      first_(poses.front()) {
   std::vector<int> ordering;
   for (size_t p = 0; p + 1 < poses.size(); ++p) {
     if (p == 0) ordering = systemOrdering(static_cast<int>(first_.rows()), triangles);

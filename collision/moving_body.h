@@ -24,6 +24,8 @@ class MovingBody {
              const LevelSetOptions& options);
 
   const Triangles& triangles() const { return triangles_; }
+  /// Distances to the body are exact below this, m.
+  double band() const { return band_; }
   /// Interpolation steps from the first pose to the last.
   int motionSteps() const { return static_cast<int>(interpolations_.size()) * steps_; }
 
@@ -65,6 +67,7 @@ class MovingBody {
   Triangles triangles_;
   int steps_;
   double margin_;  // m
+  double band_;    // m
   Positions first_;
   std::vector<PoseInterpolation> interpolations_;
   std::array<Slot, 4> poses_;       // pose k in slot k mod 4

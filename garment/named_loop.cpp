@@ -30,6 +30,30 @@ std::string describeLoops(const Topology& topology, const Positions& positions) 
   return text;
 }
 
+/// The loop on the middle of the garment, among those in its upper (`sign` 1) or lower half (-1): sleeves and legs lie
+/// to the sides, wherever they point. It spans the middle, and no other is half as near to it.
+const std::vector<int>& loopOnMiddle(const Topology& topology, const Positions& positions, const std::string& where,
+                                     double sign) {
+  const Vec3 middle = positions.colwise().mean().transpose();
+  const double half = 0.5 * (positions.col(1).maxCoeff() + positions.col(1).minCoeff());
+  std::vector<std::pair<double, const std::vector<int>*>> found;  // (distance from the middle plane, m; loop)
+  for (const std::vector<int>& loop : topology.boundary_loops) {
+    const Vec3 mean = meanOf(positions, loop);
+    if (sign * (mean.y() - half) > 0.0) found.emplace_back(std::abs(mean.x() - middle.x()), &loop);
+  }
+  std::ranges::sort(found);
+  if (!found.empty()) {
+    const auto x = [&](int vertex) { return positions(vertex, 0); };
+    const auto [low, high] = std::ranges::minmax(*found[0].second, {}, x);
+    const bool spans = found.size() == 1 || (x(low) < middle.x() && x(high) > middle.x());
+    if (spans && (found.size() == 1 || found[0].first < 0.5 * found[1].first)) return *found[0].second;
+  }
+  throw InputError(
+      fmt::format("boundary loop \"{}\" is ambiguous: expected one loop on the middle of the garment's {} "
+                  "half; name it by its number; {}",
+                  where, sign > 0.0 ? "upper" : "lower", describeLoops(topology, positions)));
+}
+
 }  // namespace
 
 const std::vector<int>& findLoop(const Topology& topology, const Positions& positions, const std::string& where) {
@@ -38,8 +62,10 @@ const std::vector<int>& findLoop(const Topology& topology, const Positions& posi
     if (where == fmt::format("{}", l)) return loops[l];
   }
   Vec3 direction = Vec3::Zero();
-  if (where == "top" || where == "neck") direction = Vec3::UnitY();
-  if (where == "bottom" || where == "hem") direction = -Vec3::UnitY();
+  if (!loops.empty() && (where == "neck" || where == "hem"))
+    return loopOnMiddle(topology, positions, where, where == "neck" ? 1.0 : -1.0);
+  if (where == "top") direction = Vec3::UnitY();
+  if (where == "bottom") direction = -Vec3::UnitY();
   if (where == "left") direction = Vec3::UnitX();
   if (where == "right") direction = -Vec3::UnitX();
   if (direction.isZero() || loops.empty()) {

@@ -1,6 +1,5 @@
 #include "viz/poly_data.h"
 
-#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkTypeInt32Array.h>
@@ -20,14 +19,13 @@ vtkSmartPointer<vtkCellArray> toCells(const Triangles& triangles) {
 }
 
 vtkSmartPointer<vtkPolyData> toPolyData(const Positions& positions, vtkCellArray* cells) {
-  vtkNew<vtkFloatArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(positions.rows());
-  for (Eigen::Index i = 0; i < positions.size(); ++i) {
-    coordinates->SetValue(i, static_cast<float>(positions.data()[i]));
-  }
+  // Single precision resolves a micrometre at 10 m, and half a metre at 5,000 km.
+  constexpr double kFarFromOrigin = 10.0;  // m
+  const bool is_far = positions.size() > 0 && positions.cwiseAbs().maxCoeff() > kFarFromOrigin;
   vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
+  points->SetDataType(is_far ? VTK_DOUBLE : VTK_FLOAT);
+  points->SetNumberOfPoints(positions.rows());
+  for (Eigen::Index i = 0; i < positions.rows(); ++i) points->SetPoint(i, positions.row(i).data());
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(points);
   mesh->SetPolys(cells);

@@ -12,7 +12,8 @@ namespace ease {
 /// Converts triangles to VTK cells with 32-bit indices.
 vtkSmartPointer<vtkCellArray> toCells(const Triangles& triangles);
 
-/// Makes a VTK mesh from points, rounded to single precision, and `cells`, which are shared and not copied.
+/// Makes a VTK mesh from points, in single precision, or in double where coordinates are beyond 10 m, and `cells`,
+/// which are shared and not copied.
 vtkSmartPointer<vtkPolyData> toPolyData(const Positions& positions, vtkCellArray* cells);
 
 }  // namespace ease

@@ -1,4 +1,5 @@
-// One mesh with named arrays as a .vtp file (VTK XML), compressed binary, single precision.
+// One mesh with named arrays as a .vtp file (VTK XML), compressed binary, single precision; points in double precision
+// where they lie far from the origin.
 //
 //   positions        n x 3, m
 //   vertex arrays    one tuple per vertex

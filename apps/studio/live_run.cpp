@@ -52,7 +52,7 @@ void LiveRun::makeStep() {
 void LiveRun::startOver() {
   makeCloth();
   makeStep();
-  state_ = {made_->input.garment.positions, Positions::Zero(cloth_->vertexCount(), 3)};
+  state_ = {startOf(made_->input), Positions::Zero(cloth_->vertexCount(), 3)};
   penetration_ = {};
   steps_ = 0;
   adaptions_ = 0;
@@ -76,7 +76,8 @@ void LiveRun::leaveFor(const std::vector<Positions>& poses) {
   Schedule& schedule = settings_->schedule;
   schedule.poses = static_cast<int>(poses.size());
   schedule.cycles = 1;
-  body_motion_ = poses.size() > 1 ? bodyMotionPerStep(schedule, poses, state_.positions) : 0.0;
+  body_motion_ =
+      poses.size() > 1 ? bodyMotionPerStep(schedule, made_->input.body_triangles, poses, state_.positions) : 0.0;
   const Substeps substeps =
       poses.size() > 1 ? chooseSubsteps(schedule, body_motion_, settings_->comfort_offset) : Substeps();
   band_ = largestOffset();

@@ -12,7 +12,9 @@
 #include "solver/base/error.h"
 #include "solver/base/whole_file.h"
 #include "solver/io/mesh_readers.h"
+#include "solver/io/text_encoding.h"
 #include "solver/mesh/mesh_checks.h"
+#include "solver/mesh/weld.h"
 
 namespace ease {
 namespace {
@@ -43,44 +45,58 @@ std::string lowerCaseExtension(const fs::path& file) {
 RawMesh readRaw(const fs::path& file) {
   const std::string name = file.string();
   const std::string extension = lowerCaseExtension(file);
-  if (extension != ".ply" && extension != ".obj" && extension != ".stl" && extension != ".vtp") {
-    throw InputError(fmt::format("{}: a mesh's name ends in .ply, .obj, .stl or .vtp", name));
+  if (extension != ".ply" && extension != ".obj" && extension != ".stl" && extension != ".off" && extension != ".vtp") {
+    throw InputError(fmt::format("{}: a mesh's name ends in .ply, .obj, .stl, .off or .vtp", name));
   }
-  const std::string bytes = readBytes(file);
+  const std::string bytes = asUtf8(readBytes(file));
   if (extension == ".ply") return readPly(bytes, name);
   if (extension == ".obj") return readObj(bytes, name);
   if (extension == ".stl") return readStl(bytes, name);
+  if (extension == ".off") return readOff(bytes, name);
   return readVtp(bytes, name);
 }
 
-TriangleMesh checkedMesh(const RawMesh& raw, const std::string& name) {
-  if (raw.triangles.empty()) throw InputError(fmt::format("{}: holds no triangles", name));
+Polygons checkedPolygons(const RawMesh& raw, const std::string& name) {
+  if (raw.ends.empty()) throw InputError(fmt::format("{}: holds no triangles", name));
   const std::size_t most = std::numeric_limits<int>::max();
-  if (raw.points.size() > most || raw.triangles.size() > most) {
-    throw InputError(fmt::format("{}: holds more vertices or triangles than {}", name, most));
+  if (raw.points.size() > most || raw.corners.size() > most) {
+    throw InputError(fmt::format("{}: holds more vertices or corners of faces than {}", name, most));
   }
-  TriangleMesh mesh;
-  mesh.positions.resize(static_cast<int>(raw.points.size()), 3);
-  for (int i = 0; i < mesh.positions.rows(); ++i) mesh.positions.row(i) = Eigen::RowVector3d(raw.points[i].data());
-  mesh.triangles.resize(static_cast<int>(raw.triangles.size()), 3);
-  for (int t = 0; t < mesh.triangles.rows(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const long long vertex = raw.triangles[t][k];
-      if (vertex < 0 || vertex >= mesh.positions.rows()) {
-        throw InputError(fmt::format("{}: triangle {} has vertex {}, but there are {} (counted from 0)", name, t,
-                                     vertex, mesh.positions.rows()));
-      }
-      mesh.triangles(t, k) = static_cast<int>(vertex);
+  Polygons polygons;
+  polygons.points.resize(static_cast<int>(raw.points.size()), 3);
+  for (int i = 0; i < polygons.points.rows(); ++i)
+    for (int k = 0; k < 3; ++k) polygons.points(i, k) = raw.points[i][k] + 0.0;  // turns -0 into 0
+  polygons.ends.assign(raw.ends.begin(), raw.ends.end());
+  polygons.corners.resize(raw.corners.size());
+  for (std::size_t c = 0; c < raw.corners.size(); ++c) {
+    const long long vertex = raw.corners[c];
+    if (vertex < 0 || vertex >= polygons.points.rows()) {
+      const auto face = std::upper_bound(raw.ends.begin(), raw.ends.end(), c) - raw.ends.begin();
+      throw InputError(fmt::format("{}: face {} has vertex {}, but there are {} (counted from 0)", name, face, vertex,
+                                   polygons.points.rows()));
     }
+    polygons.corners[c] = static_cast<int>(vertex);
   }
-  checkFinite(mesh.positions, name);
-  return mesh;
+  checkFinite(polygons.points, name);
+  return polygons;
 }
 
 }  // namespace
 
+Polygons readPolygons(const fs::path& file) {
+  return checkedPolygons(readRaw(file), file.string());
+}
+
+bool sharesNoVertices(const fs::path& file) {
+  return lowerCaseExtension(file) == ".stl";
+}
+
 TriangleMesh readMesh(const fs::path& file) {
-  return checkedMesh(readRaw(file), file.string());
+  Polygons polygons = readPolygons(file);
+  const Triangles triangles = trianglesOf(polygons, cutPolygons(polygons, file.string()));
+  if (!sharesNoVertices(file)) return {std::move(polygons.points), triangles};
+  const Weld weld = findWeld(triangles, {&polygons.points, 1}, true);
+  return {welded(polygons.points, weld), welded(triangles, weld)};
 }
 
 void writeObj(const fs::path& file, const TriangleMesh& mesh) {

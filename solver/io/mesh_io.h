@@ -3,16 +3,25 @@
 
 #include <filesystem>
 
+#include "solver/mesh/polygons.h"
 #include "solver/mesh/triangle_mesh.h"
 
 namespace ease {
 
-/// Reads a PLY, OBJ, STL or VTP file; the file's extension says which. Vertices keep the order of the file, and
-/// vertices that no triangle uses are kept. In an STL file, corners with exactly equal coordinates become one vertex. A
-/// polygon is cut into a fan from its first corner. Points, lines, normals and textures are left out.
+/// Reads a PLY, OBJ, STL, OFF or VTP file; the file's extension says which. Vertices and faces keep the order of the
+/// file, and vertices that no face uses are kept. The triangles of an STL file have three vertices each. Triangle
+/// strips become triangles. Points, lines, normals and textures are left out, and what is not used may be anything.
+/// Coordinates are in the file's unit.
 ///
 /// Throws InputError, which names the file, if the file is missing, unreadable, cut short, of another format or without
-/// triangles, if an index is out of range, or if a coordinate is not finite.
+/// faces, if an index is out of range, or if a coordinate is not finite.
+Polygons readPolygons(const std::filesystem::path& file);
+
+/// Whether the file's format (STL) gives every triangle vertices of its own.
+bool sharesNoVertices(const std::filesystem::path& file);
+
+/// Reads a mesh as readPolygons(), and cuts its polygons into triangles. The triangles of an STL file are joined where
+/// their edges lie at one place (solver/mesh/weld.h); vertices are then numbered in order of first appearance.
 TriangleMesh readMesh(const std::filesystem::path& file);
 
 /// Writes an OBJ file with 17 significant digits. The file is written under a temporary name and then renamed, so that

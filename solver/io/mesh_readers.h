@@ -19,31 +19,50 @@ namespace ease {
 /// Unchecked contents of a mesh file, in the file's order. Coordinates may be NaN, and indices may be out of range.
 struct RawMesh {
   std::vector<std::array<double, 3>> points;
-  std::vector<std::array<long long, 3>> triangles;  // vertex indices from 0
+  std::vector<long long> corners;  // of all polygons, vertex indices from 0
+  std::vector<std::size_t> ends;   // place in `corners` behind the last corner of each polygon
 
-  /// Cuts a polygon of at least three corners into a fan from its first corner. The cut depends only on the numbering,
-  /// so that all poses of one body are cut in the same way.
-  void addPolygon(std::span<const long long> corners) {
-    for (std::size_t k = 2; k < corners.size(); ++k) triangles.push_back({corners[0], corners[k - 1], corners[k]});
+  void addPolygon(std::span<const long long> polygon) {
+    corners.insert(corners.end(), polygon.begin(), polygon.end());
+    ends.push_back(corners.size());
+  }
+
+  /// Adds the triangles of a strip: each corner from the third on makes one with the two before it, turned over every
+  /// second time. Those that only move the strip on, with a corner twice, are left out.
+  void addStrip(std::span<const long long> strip) {
+    for (std::size_t k = 2; k < strip.size(); ++k) {
+      const long long a = strip[k - 2], b = strip[k - 1], c = strip[k];
+      if (a == b || b == c || c == a) continue;
+      if (k % 2 == 0) addPolygon(std::array{a, b, c});
+      if (k % 2 == 1) addPolygon(std::array{b, a, c});
+    }
   }
 };
 
 /// Read the bytes of one file. They throw InputError with a message that begins with `name`.
 RawMesh readPly(std::string_view bytes, const std::string& name);
 RawMesh readObj(std::string_view bytes, const std::string& name);
-RawMesh readStl(std::string_view bytes, const std::string& name);
+RawMesh readStl(std::string_view bytes, const std::string& name);  // three vertices a triangle, none shared
+RawMesh readOff(std::string_view bytes, const std::string& name);
 RawMesh readVtp(std::string_view bytes, const std::string& name);
 
 /// Throws InputError if counts in a .vtp file would make VTK crash or allocate more memory than the file could fill.
 void checkVtpCounts(std::string_view bytes, const std::string& name);
 
-/// Removes the first line from `text` and returns it without its line end ("\n" or "\r\n").
+/// Removes the first line from `text` and returns it without its line end ("\n", "\r\n" or "\r").
 inline std::string_view takeLine(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
+  std::size_t end = std::min(text.find('\n'), text.size());
+  end = std::min(text.substr(0, end).find('\r'), end);
+  const std::string_view line = text.substr(0, end);
+  const std::size_t wide = text.substr(end).starts_with("\r\n") ? 2 : 1;
+  text.remove_prefix(std::min(end + wide, text.size()));
   return line;
+}
+
+/// Whether two words are the same but for capitals; `lower` has none.
+inline bool isWord(std::string_view word, std::string_view lower) {
+  const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b; };
+  return word.size() == lower.size() && std::equal(word.begin(), word.end(), lower.begin(), same);
 }
 
 /// Removes the first word from `text` and returns it, skipping blanks and line ends; returns an empty word at the end.

@@ -12,7 +12,8 @@ std::array<double, 3> readVertex(std::string_view line, const std::string& name,
     const std::string_view word = takeWord(line);
     const std::optional<double> value = parseNumber<double>(word);
     if (!value) {
-      throw InputError(fmt::format("{}: line {}: expected three coordinates, found \"{}\"", name, line_number, word));
+      throw InputError(fmt::format("{}: line {}: expected three coordinates, found \"{}\"{}", name, line_number, word,
+                                   word.find(',') == word.npos ? "" : "; write decimal points, not commas"));
     }
     coordinate = *value;
   }
@@ -41,13 +42,24 @@ void readFace(std::string_view line, const std::string& name, int line_number, l
 RawMesh readObj(std::string_view bytes, const std::string& name) {
   RawMesh mesh;
   std::vector<long long> corners;
+  std::string joined;
   for (int line_number = 1; !bytes.empty(); ++line_number) {
     std::string_view line = takeLine(bytes);
+    const int first_line = line_number;
+    if (line.ends_with('\\')) {  // goes on in the next line
+      joined = line;
+      while (joined.ends_with('\\') && !bytes.empty()) {
+        joined.back() = ' ';
+        joined += takeLine(bytes);
+        ++line_number;
+      }
+      line = joined;
+    }
     line = line.substr(0, line.find('#'));
     const std::string_view keyword = takeWord(line);
-    if (keyword == "v") mesh.points.push_back(readVertex(line, name, line_number));
-    if (keyword == "f") {
-      readFace(line, name, line_number, static_cast<long long>(mesh.points.size()), corners);
+    if (isWord(keyword, "v")) mesh.points.push_back(readVertex(line, name, first_line));
+    if (isWord(keyword, "f") || isWord(keyword, "fo")) {
+      readFace(line, name, first_line, static_cast<long long>(mesh.points.size()), corners);
       mesh.addPolygon(corners);
     }
   }

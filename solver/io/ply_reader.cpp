@@ -72,7 +72,8 @@ bool readProperty(std::string_view words, Header& header) {
 
 /// Reads the header and removes it from `bytes`.
 Header readHeader(std::string_view& bytes, const std::string& name) {
-  if (takeLine(bytes) != "ply")
+  std::string_view first = takeLine(bytes);
+  if (!isWord(takeWord(first), "ply"))
     throw InputError(fmt::format("{}: not a PLY file: the first line is not \"ply\"", name));
   Header header;
   for (int line_number = 2; !bytes.empty(); ++line_number) {
@@ -136,6 +137,7 @@ class Body {
         text_(encoding == Encoding::kText),
         swapped_((encoding == Encoding::kBigEndian) != (std::endian::native == std::endian::big)) {}
 
+  bool isText() const { return text_; }
   std::size_t bytesLeft() const { return bytes_.size(); }
 
   /// Reads the next number; returns nothing at the end of the file or if the text is not a number.
@@ -171,7 +173,7 @@ class Body {
 
 /// Reads the number or the list of numbers of `property` into `values`; returns false if the file ends or has no number
 /// there.
-bool readValues(Body& body, const Property& property, std::vector<double>& values) {
+bool readValues(Body& body, const Property& property, bool needed, std::vector<double>& values) {
   values.clear();
   double count = 1.0;
   if (property.count_type) {
@@ -180,9 +182,10 @@ bool readValues(Body& body, const Property& property, std::vector<double>& value
     count = *promised;
   }
   for (double k = 0.0; k < count; ++k) {
+    const std::size_t left = body.bytesLeft();
     const std::optional<double> value = body.take(property.type);
-    if (!value) return false;
-    values.push_back(*value);
+    if (!value && (needed || body.bytesLeft() == left || !body.isText())) return false;
+    values.push_back(value.value_or(0.0));
   }
   return true;
 }
@@ -191,15 +194,21 @@ bool isCorners(const Property& p) {
   return p.count_type && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
 
+/// Whether the mesh needs the values; others may be anything.
+bool isNeeded(const Element& element, const Property& p) {
+  if (element.name == "vertex") return !p.count_type && (p.name == "x" || p.name == "y" || p.name == "z");
+  return (element.name == "face" || element.name == "tristrips") && isCorners(p);
+}
+
 /// Copies a property of one vertex or face to the mesh if the mesh needs it.
 void keepValues(const Element& element, const Property& property, const std::vector<double>& values, long long index,
                 const std::string& name, RawMesh& mesh) {
-  if (element.name == "vertex" && !property.count_type && property.name.size() == 1) {
-    const int axis = property.name[0] - 'x';
-    if (axis >= 0 && axis < 3) mesh.points.back()[axis] = values[0];
-  }
-  if (element.name == "face" && isCorners(property)) {
-    if (values.size() < 3) throw InputError(fmt::format("{}: face {} has {} vertices", name, index, values.size()));
+  if (element.name == "vertex") {
+    mesh.points.back()[property.name[0] - 'x'] = values[0];
+  } else {
+    const bool strip = element.name == "tristrips";
+    if (values.size() < 3 && !strip)
+      throw InputError(fmt::format("{}: face {} has {} vertices", name, index, values.size()));
     std::vector<long long> corners(values.size());
     for (std::size_t k = 0; k < values.size(); ++k) {
       // Text may hold any number in place of an index; only integers of moderate size can be converted.
@@ -207,7 +216,12 @@ void keepValues(const Element& element, const Property& property, const std::vec
       if (!is_index) throw InputError(fmt::format("{}: face {} has the vertex index {}", name, index, values[k]));
       corners[k] = static_cast<long long>(values[k]);
     }
-    mesh.addPolygon(corners);
+    if (!strip) return mesh.addPolygon(corners);
+    for (auto begin = corners.begin(); begin != corners.end();) {  // -1 ends a strip
+      const auto end = std::find(begin, corners.end(), -1);
+      mesh.addStrip(std::span(begin, end));
+      begin = end == corners.end() ? end : end + 1;
+    }
   }
 }
 
@@ -240,11 +254,12 @@ RawMesh readPly(std::string_view bytes, const std::string& name) {
     for (long long index = 0; index < element.count; ++index) {
       if (element.name == "vertex") mesh.points.emplace_back();
       for (const Property& property : element.properties) {
-        if (!readValues(body, property, values)) {
+        const bool needed = isNeeded(element, property);
+        if (!readValues(body, property, needed, values)) {
           throw InputError(fmt::format("{}: {} {} of {}: \"{}\" is not a number, or the file is cut short", name,
                                        element.name, index, element.count, property.name));
         }
-        keepValues(element, property, values, index, name, mesh);
+        if (needed) keepValues(element, property, values, index, name, mesh);
       }
     }
   }

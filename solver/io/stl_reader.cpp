@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <compare>
 #include <cstdint>
 #include <cstring>
 #include <numeric>
@@ -26,12 +25,12 @@ bool hasBinarySize(std::string_view bytes) {
   return bytes.size() >= kHeaderBytes && bytes.size() == kHeaderBytes + kTriangleBytes * promisedTriangles(bytes);
 }
 
-std::vector<std::array<double, 3>> readBinaryCorners(std::string_view bytes) {
+std::vector<std::array<double, 3>> readBinaryCorners(std::string_view bytes, std::size_t triangles) {
   std::vector<std::array<double, 3>> corners;
-  corners.reserve(3 * promisedTriangles(bytes));
-  for (std::size_t at = kHeaderBytes; at < bytes.size(); at += kTriangleBytes) {
+  corners.reserve(3 * triangles);
+  for (std::size_t t = 0; t < triangles; ++t) {
     std::array<float, 9> values{};
-    std::memcpy(values.data(), bytes.data() + at + kNormalBytes, sizeof values);
+    std::memcpy(values.data(), bytes.data() + kHeaderBytes + t * kTriangleBytes + kNormalBytes, sizeof values);
     for (int k = 0; k < 3; ++k) corners.push_back({values[3 * k], values[3 * k + 1], values[3 * k + 2]});
   }
   return corners;
@@ -43,13 +42,13 @@ std::vector<std::array<double, 3>> readTextCorners(std::string_view text, const 
   while (true) {
     const std::string_view word = takeWord(text);
     if (word.empty()) break;
-    if (word == "solid") {
+    if (isWord(word, "solid")) {
       takeLine(text);  // a name, which may hold any word
       complete = false;
-    } else if (word == "endsolid") {
+    } else if (isWord(word, "endsolid")) {
       takeLine(text);
-      complete = true;
-    } else if (word == "vertex") {
+      complete = corners.size() % 3 == 0;
+    } else if (isWord(word, "vertex")) {
       std::array<double, 3>& point = corners.emplace_back();
       for (double& coordinate : point) {
         const std::string_view found = takeWord(text);
@@ -60,7 +59,7 @@ std::vector<std::array<double, 3>> readTextCorners(std::string_view text, const 
         }
         coordinate = *value;
       }
-    } else if (word == "endfacet" && corners.size() % 3 != 0) {
+    } else if (isWord(word, "endfacet") && corners.size() % 3 != 0) {
       throw InputError(fmt::format("{}: triangle {} does not have three vertices", name, corners.size() / 3));
     }
   }
@@ -70,49 +69,47 @@ std::vector<std::array<double, 3>> readTextCorners(std::string_view text, const 
   return corners;
 }
 
-/// Merges corners with exactly equal coordinates into one vertex, numbered in order of first appearance.
-RawMesh mergeCorners(const std::vector<std::array<double, 3>>& corners) {
-  std::vector<int> sorted(corners.size());
-  std::iota(sorted.begin(), sorted.end(), 0);
-  // Corners with equal coordinates are sorted by corner number, so that each run of equal corners begins with its first
-  // appearance. NaN must not break the sort. Its place does not matter, because readMesh refuses it later.
-  const auto comesBefore = [&](int i, int j) {
-    for (int k = 0; k < 3; ++k) {
-      if (corners[i][k] != corners[j][k]) return std::is_lt(std::strong_order(corners[i][k], corners[j][k]));
-    }
-    return i < j;
-  };
-  std::sort(sorted.begin(), sorted.end(), comesBefore);
-
-  std::vector<int> first_equal(corners.size());
-  for (std::size_t s = 0; s < sorted.size(); ++s) {
-    const bool repeats = s > 0 && corners[sorted[s]] == corners[sorted[s - 1]];
-    first_equal[sorted[s]] = repeats ? first_equal[sorted[s - 1]] : sorted[s];
-  }
+/// Three vertices a triangle, none of them shared.
+RawMesh asTriangles(std::vector<std::array<double, 3>> corners) {
   RawMesh mesh;
-  std::vector<long long> vertex(corners.size());
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (first_equal[i] == static_cast<int>(i)) {
-      vertex[i] = static_cast<long long>(mesh.points.size());
-      mesh.points.push_back(corners[i]);
-    } else {
-      vertex[i] = vertex[first_equal[i]];
-    }
-  }
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-    mesh.triangles.push_back({vertex[i], vertex[i + 1], vertex[i + 2]});
-  }
+  mesh.corners.resize(corners.size());
+  std::iota(mesh.corners.begin(), mesh.corners.end(), 0);
+  for (std::size_t end = 3; end <= corners.size(); end += 3) mesh.ends.push_back(end);
+  mesh.points = std::move(corners);
   return mesh;
+}
+
+/// Text begins with the word "solid" and soon has a "facet", in capitals or not; a binary header may begin so, too.
+bool isText(std::string_view bytes) {
+  std::string_view head = bytes.substr(0, 2000);
+  if (!isWord(takeWord(head), "solid") || head.find('\0') != head.npos) return false;
+  for (std::string_view word = takeWord(head); !word.empty(); word = takeWord(head))
+    if (isWord(word, "facet") || isWord(word, "endsolid")) return true;
+  return false;
+}
+
+/// Number of triangles in a binary file: what its header promises if the bytes suffice, or, where the header says 0, as
+/// many as there are bytes for. Spare bytes at the end are no triangles, unless they make up whole ones.
+std::size_t binaryTriangles(std::string_view bytes, const std::string& name) {
+  const std::size_t promised = promisedTriangles(bytes);
+  const std::size_t body = bytes.size() < kHeaderBytes ? 0 : bytes.size() - kHeaderBytes, held = body / kTriangleBytes;
+  if (promised == 0 && held > 0 && body % kTriangleBytes == 0) return held;
+  if (promised == 0 || promised > held)
+    throw InputError(fmt::format("{}: not an STL file, or cut short: it has {} bytes, and {} triangles need {}", name,
+                                 bytes.size(), promised, kHeaderBytes + kTriangleBytes * promised));
+  if (promised < held && body % kTriangleBytes == 0)
+    throw InputError(
+        fmt::format("{}: its header promises {} triangles, but {} follow: expected the same number; "
+                    "export it again",
+                    name, promised, held));
+  return promised;
 }
 
 }  // namespace
 
 RawMesh readStl(std::string_view bytes, const std::string& name) {
-  if (hasBinarySize(bytes)) return mergeCorners(readBinaryCorners(bytes));
-  if (bytes.starts_with("solid")) return mergeCorners(readTextCorners(bytes, name));
-  throw InputError(fmt::format("{}: not an STL file, or cut short: it has {} bytes, and {} triangles need {}", name,
-                               bytes.size(), promisedTriangles(bytes),
-                               kHeaderBytes + kTriangleBytes * promisedTriangles(bytes)));
+  if (!hasBinarySize(bytes) && isText(bytes)) return asTriangles(readTextCorners(bytes, name));
+  return asTriangles(readBinaryCorners(bytes, binaryTriangles(bytes, name)));
 }
 
 }  // namespace ease

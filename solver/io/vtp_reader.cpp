@@ -100,13 +100,16 @@ RawMesh readVtp(std::string_view bytes, const std::string& name) {
     throw InputError(fmt::format("{}: not a VTP file, or damaged: {}", name, silence.keeper->firstSentence()));
   }
   vtkPolyData& data = *reader->GetOutput();
-  if (data.GetNumberOfStrips() > 0) {
-    throw InputError(fmt::format("{}: holds triangle strips; expected polygons", name));
-  }
   RawMesh mesh;
   mesh.points.resize(data.GetNumberOfPoints());
   for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) data.GetPoint(i, mesh.points[i].data());
   addPolygons(*data.GetPolys(), name, mesh);
+  for (vtkIdType strip = 0; strip < data.GetNumberOfStrips(); ++strip) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    data.GetStrips()->GetCellAtId(strip, count, ids);
+    mesh.addStrip(std::vector<long long>(ids, ids + count));
+  }
   return mesh;
 }
 

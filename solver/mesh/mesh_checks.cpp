@@ -88,18 +88,21 @@ void checkFinite(const Positions& positions, const std::string& name) {
 void checkGeometry(const TriangleMesh& mesh, const std::string& name) {
   checkFinite(mesh.positions, name);
   const double least_area = kMinRelativeArea * squaredDiagonal(mesh.positions);
+  std::string first;
+  int count = 0;
   for (int t = 0; t < mesh.triangles.rows(); ++t) {
     const auto v = mesh.triangles.row(t);
-    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {
-      throw InputError(joined(name, ": triangle ", t, " has a vertex twice: ", describe(mesh.triangles, t)));
-    }
+    const bool repeats = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
     // Not "area < least": where all vertices coincide both sides are zero.
-    const double area = triangleArea(mesh.positions, mesh.triangles, t);
-    if (!(area > least_area)) {
-      throw InputError(joined(name, ": triangle ", t, " of vertices ", describe(mesh.triangles, t),
-                              " is degenerate: area ", area, " m^2, expected above ", least_area));
-    }
+    const double area = repeats ? 0.0 : triangleArea(mesh.positions, mesh.triangles, t);
+    if (area > least_area || count++ > 0) continue;
+    first = repeats ? joined("triangle ", t, " has a vertex twice: ", describe(mesh.triangles, t))
+                    : joined("triangle ", t, " of vertices ", describe(mesh.triangles, t), " is degenerate: area ",
+                             area, " m^2, expected above ", least_area);
   }
+  if (count == 0) return;
+  throw InputError(joined(name, ": ", first, count > 1 ? joined(" (", count, " such triangles)") : std::string(),
+                          ": dissolve degenerate faces, or merge vertices by distance"));
 }
 
 void checkVerticesUsed(const TriangleMesh& mesh, const std::string& name) {

@@ -34,32 +34,54 @@ std::vector<Side> sortedSides(const Triangles& triangles) {
   return sides;
 }
 
-void checkManifold(const Side* sides, std::size_t count, const std::string& name) {
+/// Faults of one kind: the first is told, and how many there are.
+struct Faults {
+  std::string first;
+  int count = 0;
+
+  void add(const std::string& text) {
+    if (count++ == 0) first = text;
+  }
+  void refuse(const std::string& name, const char* remedy) const {
+    if (count == 0) return;
+    throw InputError(
+        joined(name, ": ", first, count > 1 ? joined(" (", count, " such in all)") : std::string(), ": ", remedy));
+  }
+};
+
+struct EdgeFaults {
+  Faults crowded, opposed;
+};
+
+void checkManifold(const Side* sides, std::size_t count, const std::string& name, EdgeFaults& faults) {
   const Side& first = sides[0];
   if (first.from == first.to) {
-    throw InputError(joined(name, ": triangle ", first.triangle, " has vertex ", first.from, " twice"));
+    throw InputError(
+        joined(name, ": triangle ", first.triangle, " has vertex ", first.from, " twice: dissolve degenerate faces"));
   }
   if (count > 2) {
     std::string triangles = joined(first.triangle);
     for (std::size_t s = 1; s < count; ++s) triangles += joined(", ", sides[s].triangle);
-    throw InputError(joined(name, ": the edge of vertices ", first.low(), " and ", first.high(), " has ", count,
-                            " triangles (", triangles, "); expected one or two"));
+    faults.crowded.add(joined("the edge of vertices ", first.low(), " and ", first.high(), " has ", count,
+                              " triangles (", triangles, "); expected one or two"));
   }
   if (count == 2 && first.from == sides[1].from) {
-    throw InputError(joined(name, ": triangles ", first.triangle, " and ", sides[1].triangle,
-                            " are oriented against each other along the edge of vertices ", first.low(), " and ",
-                            first.high()));
+    faults.opposed.add(joined("triangles ", first.triangle, " and ", sides[1].triangle,
+                              " are oriented against each other along the edge of vertices ", first.low(), " and ",
+                              first.high()));
   }
 }
 
 void buildEdges(const Triangles& triangles, const std::string& name, Topology& topology) {
   const std::vector<Side> sides = sortedSides(triangles);
   topology.triangle_edges.resize(triangles.rows(), 3);
+  EdgeFaults faults;
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
     while (end < sides.size() && sides[end].low() == sides[begin].low() && sides[end].high() == sides[begin].high()) {
       ++end;
     }
-    checkManifold(&sides[begin], end - begin, name);
+    checkManifold(&sides[begin], end - begin, name, faults);
+    if (end - begin > 2) continue;
     Edge edge{{sides[begin].low(), sides[begin].high()}, {-1, -1}, {-1, -1}};
     // The triangle that runs from the lower to the higher vertex comes first; a boundary edge has only one.
     for (std::size_t s = begin; s < end; ++s) {
@@ -70,6 +92,8 @@ void buildEdges(const Triangles& triangles, const std::string& name, Topology& t
     }
     topology.edges.push_back(edge);
   }
+  faults.crowded.refuse(name, "delete doubled and inner faces");
+  faults.opposed.refuse(name, "recalculate the normals so that all faces look outwards");
 }
 
 /// Counts the triangles around `vertex` from triangle `t` on, in one direction: each step crosses the edge opposite to
@@ -96,6 +120,7 @@ void checkFans(const TriangleMesh& mesh, const Topology& topology, const std::st
       any_triangle[mesh.triangles(t, k)] = t;
     }
   }
+  Faults pinched;
   for (int vertex = 0; vertex < mesh.positions.rows(); ++vertex) {
     const int t = any_triangle[vertex];
     if (t < 0) continue;
@@ -103,9 +128,10 @@ void checkFans(const TriangleMesh& mesh, const Topology& topology, const std::st
     int reached = trianglesAlong(mesh.triangles, topology, vertex, t, 1, closes);
     if (!closes) reached += trianglesAlong(mesh.triangles, topology, vertex, t, 2, closes) - 1;
     if (reached != triangle_count[vertex]) {
-      throw InputError(joined(name, ": vertex ", vertex, " joins two fans of triangles that share no edge there"));
+      pinched.add(joined("vertex ", vertex, " joins two fans of triangles that share no edge there"));
     }
   }
+  pinched.refuse(name, "split such vertices in two");
 }
 
 double loopLength(const Positions& positions, const std::vector<int>& loop) {

@@ -4,6 +4,7 @@
 
 #include "solver/base/error.h"
 #include "solver/base/joined.h"
+#include "solver/model/warp.h"
 
 namespace ease {
 
@@ -24,10 +25,11 @@ Mat2 edgesFrom(const Mat2& rest_edges, int corner) {
 Cloth::Cloth(const TriangleMesh& mesh, const Vec3& grain, const Material& material)
     : triangles_(mesh.triangles), topology_(buildTopology(mesh, "garment")), material_(material), density_(1.0) {
   RestShape first{mesh.positions, std::vector<Mat2>(triangles_.rows())};
+  const std::vector<Vec3> warp = warpDirections(mesh, topology_, grain);
   double area = 0.0;
   for (int t = 0; t < triangles_.rows(); ++t) {
     const Mat32 edges = edgeMatrix(mesh.positions, triangles_, t);
-    first.edges[t] = planeFrame(edges, grain).transpose() * edges;
+    first.edges[t] = planeFrame(edges, warp[t]).transpose() * edges;
     area += 0.5 * first.edges[t].determinant();
   }
   density_ = material.total_mass ? *material.total_mass / area : material.density;

@@ -37,6 +37,26 @@ class FullDisk {
 
 }  // namespace
 
+TEST_CASE("a directory is held by one command at a time, and left without a trace") {
+  const TemporaryDirectory directory;
+  {
+    const ResultDirectory first(directory.path / "results");
+    CHECK_THROWS_WITH(ResultDirectory(directory.path / "results"), Catch::Contains("another run writes into this"));
+  }
+  CHECK_FALSE(std::filesystem::exists(directory.path / "results"));
+  CHECK_NOTHROW(ResultDirectory(directory.path / "results"));
+}
+
+TEST_CASE("a directory with the results of another scene is refused with what to do") {
+  const TemporaryDirectory directory;
+  directory.write("report.json", R"({"scene": "skirt"})");
+  const ResultDirectory results(directory.path);
+  CHECK_NOTHROW(results.refuseOtherScene("skirt"));
+  CHECK_THROWS_WITH(
+      results.refuseOtherScene("dress"),
+      Catch::Contains("holds the results of the scene 'skirt', not of 'dress'") && Catch::Contains("--force"));
+}
+
 TEST_CASE("a directory made for nothing goes again, with those made on the way to it") {
   const TemporaryDirectory directory;
   { const ResultDirectory made(directory.path / "results/tunic"); }

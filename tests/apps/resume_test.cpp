@@ -54,9 +54,8 @@ TEST_CASE("a run that goes on keeps to the way of the body, which may be longer 
   for (const char* other : {"['t', 'up', 't']", "['t', 'a', 'up', 't']", "['t', 't', 'a']"}) {
     const Outcome outcome = resume(other, "", "--resume done");
     CHECK(outcome.code == 1);
-    CHECK_THAT(outcome.err, StartsWith("ease: error: on.toml: [body] poses: number ") &&
+    CHECK_THAT(outcome.err, Contains("ease: error: on.toml: [body] poses: number ") &&
                                 Contains("is not what the run in done met there"));
-    CHECK(isOneLine(outcome.err));
   }
   const Outcome fewer = resume("['t', 'a']", "settle = 20\n", "--resume done");
   CHECK(fewer.code == 1);

@@ -39,8 +39,8 @@ TEST_CASE("a value of another type is named with what was expected") {
         "scene.toml:5: [adaption] verify = 1: expected true or false, found a whole number");
   CHECK(errorOf("name = 3\n" + kBody) == "scene.toml:1: name = 3: expected a string, found a whole number");
   CHECK(errorOf("body = 1\n") == "scene.toml:1: body = 1: expected a table [body], found a whole number");
-  CHECK(errorOf("[body]\nposes = 't.ply'\n") ==
-        "scene.toml:2: [body] poses = 't.ply': expected an array of strings; found a string");
+  CHECK(errorOf("[body]\nposes = 7\n") ==
+        "scene.toml:2: [body] poses = 7: expected an array of strings; found a whole number");
   CHECK_THAT(errorOf("[body]\nposes = ['t.ply', 3]\n"), EndsWith("expected an array of strings; entry 2 is 3"));
   CHECK(errorOf(kBody + "[garment.pin]\nloop = 'top'\n") ==
         "scene.toml:4: [garment] pin: expected tables [[garment.pin]], in double brackets, found a table");

@@ -102,7 +102,7 @@ std::string faultOfLines(const std::string& err, int code, const FuzzKind& kind)
                                         [&](const auto& file) { return line.find(file.first) != std::string::npos; });
     if (code == 1 && !names_file) return "an error without its file";
   }
-  if (errors != (code == 0 ? 0 : 1)) return fmt::format("{} errors with exit code {}", errors, code);
+  if (errors != (code == 0 || code == 3 ? 0 : 1)) return fmt::format("{} errors with exit code {}", errors, code);
   return {};
 }
 
@@ -149,7 +149,7 @@ FuzzOutcome CommandFuzz::attempt(unsigned seed) const {
   }
   const int code = WEXITSTATUS(status);
   if (code == kNotTried) return {End::not_tried, err};
-  if (code > 2) return {End::unclear, fmt::format("exit code {}; {}", code, err)};
+  if (code > 3) return {End::unclear, fmt::format("exit code {}; {}", code, err)};
   if (const std::string fault = faultOfLines(err, code, kind_); !fault.empty())
     return {End::unclear, fmt::format("{}: {}", fault, err)};
   if (code == 1 && std::filesystem::exists(out)) return {End::unclear, "results of a wrong input; " + err};
@@ -159,7 +159,8 @@ FuzzOutcome CommandFuzz::attempt(unsigned seed) const {
     return fault.empty() ? 0 : 1;
   });
   if (faulty != 0) return {End::unclear, fmt::format("{}; {}", contentOf(directory_.path / "fault.txt"), err)};
-  return {code == 0 ? End::done : code == 1 ? End::wrong_input : End::failed, err};
+  constexpr End kEnds[] = {End::done, End::wrong_input, End::failed, End::doubtful};
+  return {kEnds[code], err};
 }
 
 }  // namespace ease

@@ -22,6 +22,7 @@ std::vector<FuzzKind> fuzzKinds();
 
 enum class End {
   done,
+  doubtful,  // done, and told that the figures say nothing
   wrong_input,
   failed,
   not_tried,  // it asks for a long job, rightly

@@ -52,6 +52,13 @@ std::string asciiStl(const TriangleMesh& mesh) {
   return out.str();
 }
 
+std::string off(const TriangleMesh& mesh) {
+  std::ostringstream out;
+  out << "OFF\n" << mesh.positions.rows() << ' ' << mesh.triangles.rows() << " 0\n" << mesh.positions << '\n';
+  for (const auto& t : mesh.triangles.rowwise()) out << "3 " << t << '\n';
+  return out.str();
+}
+
 std::string binaryStl(const TriangleMesh& mesh) {
   std::string bytes(80, ' ');
   append(bytes, static_cast<std::uint32_t>(mesh.triangles.rows()));
@@ -91,6 +98,7 @@ std::string writtenBy(const Write& write, const char* name) {
 
 std::string bytesOf(const TriangleMesh& mesh, const std::string& file) {
   if (file == "mesh.obj") return writtenBy([&](const auto& path) { writeObj(path, mesh); }, "mesh.obj");
+  if (file == "mesh.off") return off(mesh);
   if (file == "ascii.ply") return asciiPly(mesh);
   if (file == "little_endian.ply") return binaryPly(mesh, false);
   if (file == "big_endian.ply") return binaryPly(mesh, true);

@@ -9,8 +9,9 @@
 namespace ease {
 
 /// What files of each format are called; bytesOf() goes by these names.
-inline const std::vector<std::string> kMeshFiles = {"mesh.obj",  "ascii.ply",  "little_endian.ply", "big_endian.ply",
-                                                    "ascii.stl", "binary.stl", "ascii.vtp",         "written.vtp"};
+inline const std::vector<std::string> kMeshFiles = {"mesh.obj",          "mesh.off",       "ascii.ply",
+                                                    "little_endian.ply", "big_endian.ply", "ascii.stl",
+                                                    "binary.stl",        "ascii.vtp",      "written.vtp"};
 
 /// `written.vtp` as Ease writes it: compressed, binary.
 std::string bytesOf(const TriangleMesh& mesh, const std::string& file);

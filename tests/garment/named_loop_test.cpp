@@ -19,6 +19,28 @@ TEST_CASE("a loop is found by where it lies or by its index") {
   CHECK(&findLoop(topology, mesh.positions, "1") == &topology.boundary_loops[1]);
 }
 
+TEST_CASE("the neck lies on the middle, wherever the sleeves end; between two that may be it, it is ambiguous") {
+  TriangleMesh mesh = tube(8, 3, 1.0);        // hem below, neck above
+  const auto add = [&](double x, double y) {  // a patch whose boundary stands for the end of a sleeve
+    const int n = static_cast<int>(mesh.positions.rows());
+    TriangleMesh more{Positions(n + 3, 3), Triangles(mesh.triangles.rows() + 1, 3)};
+    more.positions << mesh.positions, Eigen::RowVector3d(x, y, 0), Eigen::RowVector3d(x + 0.1, y, 0),
+        Eigen::RowVector3d(x, y, 0.1);
+    more.triangles << mesh.triangles, Eigen::RowVector3i(n, n + 1, n + 2);
+    mesh = more;
+  };
+  add(1.5, 1.4);
+  add(-1.6, 0.9);
+  add(1.5, -0.4);  // as of an arm that hangs below the hem
+  const Topology topology = buildTopology(mesh, "shirt");
+  CHECK(mesh.positions(findLoop(topology, mesh.positions, "neck")[0], 1) == 1.0);
+  CHECK(mesh.positions(findLoop(topology, mesh.positions, "hem")[0], 1) == 0.0);
+  CHECK(mesh.positions(findLoop(topology, mesh.positions, "top")[0], 1) == 1.4);
+  add(0.0, 1.2);
+  CHECK_THROWS_WITH(findLoop(buildTopology(mesh, "shirt"), mesh.positions, "neck"),
+                    Contains("boundary loop \"neck\" is ambiguous") && Contains("name it by its number"));
+}
+
 TEST_CASE("a loop that is not there is refused with those that are") {
   const TriangleMesh mesh = tube(8, 3, 1.0);
   const Topology topology = buildTopology(mesh, "tube");

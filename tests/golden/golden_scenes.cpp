@@ -73,7 +73,9 @@ Prepared pressed() {
   p.scene.material.damping_stretch = 2.0;
   const TriangleMesh ball = turned(bodies::sphere(0.08, 12), 0.7, {1.0, 2.0, -1.5});
   for (const double height : {-0.09, -0.05}) addPose(p, bodies::moved(ball, {0.1531, height, -0.1473}));
-  p.scene.body = BodyScene{p.input.pose_names, "", 10, false};
+  p.scene.body.emplace();
+  p.scene.body->poses = p.input.pose_names;
+  p.scene.body->steps = 10;
   return p;
 }
 
@@ -89,7 +91,9 @@ Prepared letOut() {
   std::vector<int> bottom(20);
   std::iota(bottom.begin(), bottom.end(), 0);
   hold(p, bottom, true);  // so that nothing slides
-  p.scene.body = BodyScene{p.input.pose_names, "", 20, false};
+  p.scene.body.emplace();
+  p.scene.body->poses = p.input.pose_names;
+  p.scene.body->steps = 20;
   p.scene.material.damping_stretch = 2.0;
   p.scene.solver.gravity.setZero();
   p.scene.adaption = AdaptionScene{0.08, 8, 1, 16, false, AdaptionMode::sequential, {}};

@@ -38,7 +38,7 @@ TEST_CASE("a mesh written as OBJ is read back to the last bit") {
 TEST_CASE("a file that cannot be read is named with the reason") {
   const Folder folder;
   CHECK_THAT(messageOf(folder / "missing.ply"), Contains("no such file"));
-  CHECK_THAT(messageOf(folder.write("shirt.xyz", "x")), Contains("ends in .ply, .obj, .stl or .vtp"));
+  CHECK_THAT(messageOf(folder.write("shirt.xyz", "x")), Contains("ends in .ply, .obj, .stl, .off or .vtp"));
   fs::create_directory(folder / "folder.obj");
   CHECK_THAT(messageOf(folder / "folder.obj"), Contains("not a regular file"));
   for (const char* name : {"empty.ply", "empty.obj", "empty.stl", "empty.vtp"}) {

@@ -27,6 +27,22 @@ TEST_CASE("an OBJ's index counts back from the vertices so far") {
   checkIsSquare(mesh);
 }
 
+TEST_CASE("an OBJ is read with lines that go on, carriage returns alone, capitals, byte order marks and UTF-16") {
+  const Folder folder;
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 .25\nv 0 1 0\nf 1 2 3 4\n";
+  checkIsSquare(readMesh(folder.write("a.obj", "v 0 0 0\nv 1 \\\n0 0\nv 1 1 .25\nv 0 1 0\nf 1 2 \\\r\n3 \\\n4\n")));
+  std::string returns = square, capitals = square, wide = "\xFF\xFE";
+  std::replace(returns.begin(), returns.end(), '\n', '\r');
+  checkIsSquare(readMesh(folder.write("b.obj", returns)));
+  std::replace(capitals.begin(), capitals.end(), 'v', 'V');
+  std::replace(capitals.begin(), capitals.end(), 'f', 'F');
+  checkIsSquare(readMesh(folder.write("c.obj", capitals)));
+  checkIsSquare(readMesh(folder.write("d.obj", "\xEF\xBB\xBF" + square)));
+  for (const char c : square) wide += {c, '\0'};
+  checkIsSquare(readMesh(folder.write("e.obj", wide)));
+  CHECK_THAT(messageOf(folder.write("f.obj", "v 0,5 0 0\n")), Contains("line 1") && Contains("decimal points"));
+}
+
 TEST_CASE("an OBJ without triangles is refused, and one of random bytes is such a one") {
   const Folder folder;
   CHECK_THAT(messageOf(folder.write("noise.obj", noise())), Contains("holds no triangles"));
@@ -37,8 +53,8 @@ TEST_CASE("an OBJ's index out of range is named with its triangle, a face that i
   const Folder folder;
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
   CHECK_THAT(messageOf(folder.write("a.obj", vertices + "f 1 2 3\nf 1 2 4\n")),
-             Contains("triangle 1 has vertex 3, but there are 3 (counted from 0)"));
-  CHECK_THAT(messageOf(folder.write("a.obj", vertices + "f 1 2 -4\n")), Contains("triangle 0 has vertex -1"));
+             Contains("face 1 has vertex 3, but there are 3 (counted from 0)"));
+  CHECK_THAT(messageOf(folder.write("a.obj", vertices + "f 1 2 -4\n")), Contains("face 0 has vertex -1"));
   CHECK_THAT(messageOf(folder.write("a.obj", vertices + "f 1 2 0\n")),
              Contains("line 4: expected a vertex index, found \"0\""));
   CHECK_THAT(messageOf(folder.write("a.obj", vertices + "f 1 2\n")), Contains("line 4: a face with 2 vertices"));

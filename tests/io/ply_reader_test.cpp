@@ -57,6 +57,20 @@ TEST_CASE(
   checkIsSquare(readMesh(folder.write("a.ply", bytes)));
 }
 
+TEST_CASE("what a PLY's mesh does not need may be anything; its strips become triangles; text may follow") {
+  const Folder folder;
+  checkIsSquare(readMesh(folder.write(
+      "a.ply",
+      "PLY\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float nx\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+      "end_header\n0 -1.#IND 0 0\n1 nan 0 0\n1 1.#QNAN 1 .25\n0 inf 1 0\n4 0 1 2 3 2 nan -1.#IND\nthe end\n")));
+  const std::string strips =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+      "8 0 1 2 -1 0 2 3 -1\n";
+  CHECK(readMesh(folder.write("b.ply", strips)).triangles == kTwoTriangles);
+}
+
 TEST_CASE("a PLY of another kind or of random bytes is refused") {
   const Folder folder;
   CHECK_THAT(messageOf(folder.write("noise.ply", noise())), Contains("the first line is not \"ply\""));
@@ -78,7 +92,7 @@ TEST_CASE("a PLY cut short anywhere is refused") {
 TEST_CASE("a PLY's index out of range is named with its triangle, a coordinate that is no number with its vertex") {
   const Folder folder;
   CHECK_THAT(messageOf(folder.write("a.ply", text("0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 9\n"))),
-             Contains("triangle 0 has vertex 9, but there are 4"));
+             Contains("face 0 has vertex 9, but there are 4"));
   CHECK_THAT(messageOf(folder.write("a.ply", text("0 0 0 1 one 0"))), Contains("vertex 1 of 4: \"y\" is not a number"));
   CHECK_THAT(messageOf(folder.write("a.ply", text("0 0 0 1 inf 0 1 1 0 0 1 0 3 0 1 2"))),
              Contains("vertex 1 is (1, inf, 0)"));

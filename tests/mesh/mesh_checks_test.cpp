@@ -53,11 +53,12 @@ TEST_CASE("a coordinate that is not finite is named with its vertex") {
 
 TEST_CASE("a degenerate triangle is named with its vertices and area") {
   CHECK_THROWS_WITH(checkGeometry(withTriangle(kSquare, 1, {0, 3, 3}), "shirt.obj"),
-                    "shirt.obj: triangle 1 has a vertex twice: (0, 3, 3)");
+                    Catch::StartsWith("shirt.obj: triangle 1 has a vertex twice: (0, 3, 3)"));
   TriangleMesh flat = kSquare;
   flat.positions.row(3) << 0.5, 0.5, 0;
-  CHECK_THROWS_WITH(checkGeometry(flat, "shirt.obj"),
-                    "shirt.obj: triangle 1 of vertices (0, 2, 3) is degenerate: area 0 m^2, expected above 2e-12");
+  CHECK_THROWS_WITH(
+      checkGeometry(flat, "shirt.obj"),
+      Catch::StartsWith("shirt.obj: triangle 1 of vertices (0, 2, 3) is degenerate: area 0 m^2, expected above 2e-12"));
   TriangleMesh point = kSquare;
   point.positions.setConstant(0.7);
   CHECK_THROWS_WITH(checkGeometry(point, "shirt.obj"), Contains("triangle 0 of vertices (0, 1, 2) is degenerate"));

@@ -127,22 +127,24 @@ TEST_CASE("an edge with three triangles is refused, with its vertices and triang
   const TriangleMesh fin =
       meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   CHECK_THROWS_AS(buildTopology(fin, "fin.obj"), InputError);
-  CHECK_THROWS_WITH(buildTopology(fin, "fin.obj"),
-                    "fin.obj: the edge of vertices 0 and 1 has 3 triangles (0, 1, 2); expected one or two");
+  CHECK_THROWS_WITH(
+      buildTopology(fin, "fin.obj"),
+      Catch::StartsWith("fin.obj: the edge of vertices 0 and 1 has 3 triangles (0, 1, 2); expected one or two"));
 }
 
 TEST_CASE("a flipped neighbour is refused, with both triangles") {
   const TriangleMesh flipped = meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 1, 3}});
   CHECK_THROWS_WITH(
       buildTopology(flipped, "flipped.obj"),
-      "flipped.obj: triangles 0 and 1 are oriented against each other along the edge of vertices 0 and 1");
+      Catch::StartsWith(
+          "flipped.obj: triangles 0 and 1 are oriented against each other along the edge of vertices 0 and 1"));
 }
 
 TEST_CASE("a vertex that joins two fans is refused, whether they are open or closed") {
   const TriangleMesh bow_tie =
       meshOf({{0, 0, 0}, {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}}, {{0, 2, 1}, {0, 4, 3}});
   CHECK_THROWS_WITH(buildTopology(bow_tie, "tie.obj"),
-                    "tie.obj: vertex 0 joins two fans of triangles that share no edge there");
+                    Catch::StartsWith("tie.obj: vertex 0 joins two fans of triangles that share no edge there"));
 
   TriangleMesh two_closed{kTetrahedron.positions, Triangles(8, 3)};
   two_closed.positions.conservativeResize(7, 3);
@@ -159,5 +161,5 @@ TEST_CASE("a vertex that joins two fans is refused, whether they are open or clo
 
 TEST_CASE("a triangle with a vertex twice is refused") {
   const TriangleMesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}}, {{0, 1, 1}});
-  CHECK_THROWS_WITH(buildTopology(mesh, "a"), "a: triangle 0 has vertex 1 twice");
+  CHECK_THROWS_WITH(buildTopology(mesh, "a"), Catch::StartsWith("a: triangle 0 has vertex 1 twice"));
 }
