@@ -18,7 +18,7 @@ _ease() {
   local words
   case $command in
     "") words="run check garment pattern --help --version" ;;
-    run) words="--output --threads --resume --help" ;;
+    run) words="--output --threads --resume --force --help" ;;
     check) words="--help" ;;
     garment) words="--output --pieces --help" ;;
     pattern) words="--output --threads --help" ;;

@@ -45,7 +45,7 @@ TEST_CASE("the version is printed") {
 
 TEST_CASE("misuse of the command line is one line and exit code 1") {
   const auto [arguments, message] = GENERATE(table<const char*, const char*>({
-      {"", "no command: expected 'run', 'garment' or 'check'"},
+      {"", "no command: expected 'run', 'garment', 'pattern' or 'check'"},
       {"rum x.toml", "unknown command 'rum', did you mean 'run'?"},
       {"--fast", "unknown option '--fast'"},
       {"run", "SCENE is required"},

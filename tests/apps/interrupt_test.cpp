@@ -103,7 +103,7 @@ TEST_CASE("a run without output takes away the series that a killed one left") {
   std::ofstream(directory.path / "there/rest/rest_000003.vtp.part") << "cut sho";
   std::ofstream(directory.path / "there/rest/notes.txt") << "mine";
   writeHangingCloth(directory, 2);
-  REQUIRE(runEase(directory, "run hang.toml -o there").code == 0);
+  REQUIRE(runEase(directory, "run hang.toml -o there --force").code == 0);
   CHECK(faultIn(directory.path / "there") == "");
   CHECK_FALSE(fs::exists(directory.path / "there/garment"));
   CHECK_FALSE(fs::exists(directory.path / "there/rest.pvd"));

@@ -22,6 +22,7 @@ std::pair<Scene, SceneInput> lifted(double rise) {
   scene.output.emplace();
   SceneInput input;
   input.garment = makeSheet(4, 4, 0.2, 0.2);
+  input.body_triangles = input.garment.triangles;
   input.poses = {input.garment.positions, input.garment.positions};
   input.poses[1].col(1).array() += rise;
   return {scene, input};

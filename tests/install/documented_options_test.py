@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM, MAN_PAGE, COMPLETION = (sys.argv.pop(1) for _ in range(3))
-COMMANDS = ("run", "check", "garment")
+COMMANDS = ("run", "check", "garment", "pattern")
 
 
 def options_of(*arguments):
