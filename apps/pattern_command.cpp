@@ -55,13 +55,13 @@ WovenSettings wovenOf(const Material& material, const StrainLimits& limits) {
     return woven;
   }
   const double largest = std::max({material.stretch_warp, material.stretch_weft, 1e-9});
-  constexpr double kLeast = 0.02;  // of the largest: cloth that resists nothing along a thread has no shape
-  woven.warp = std::max(kLeast, material.stretch_warp / largest);
-  woven.weft = std::max(kLeast, material.stretch_weft / largest);
+  constexpr double kMinStiffness = 0.02;  // of the largest: cloth that resists nothing along a thread has no shape
+  woven.warp = std::max(kMinStiffness, material.stretch_warp / largest);
+  woven.weft = std::max(kMinStiffness, material.stretch_weft / largest);
   // Shear at its limit is to cost no more than stretch at its own, however stiff the material is: only then are both
   // limits reached by the same shape.
   const double by_limits = std::pow(limits.thread / (0.5 * limits.shear), 2);
-  woven.shear = std::clamp(std::min(material.shear / largest, by_limits), kLeast, 1.0);
+  woven.shear = std::clamp(std::min(material.shear / largest, by_limits), kMinStiffness, 1.0);
   return woven;
 }
 

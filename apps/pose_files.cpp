@@ -25,8 +25,8 @@ constexpr double kSamePlace = 1e-4;          // m
 constexpr double kFarthestFromOrigin = 1e7;  // m: beyond, whole voxels get lost in the numbers of a level set
 
 // Poses that stand further apart than this are taken for scans that were not aligned.
-constexpr double kWalk = 2.0, kLeastShift = 0.3;                 // m/s, m
-constexpr double kTurn = 2.5, kLeastTurn = 50.0 / 180.0 * M_PI;  // rad/s, rad
+constexpr double kWalk = 2.0, kMinShift = 0.3;                 // m/s, m
+constexpr double kTurn = 2.5, kMinTurn = 50.0 / 180.0 * M_PI;  // rad/s, rad
 
 /// The poses' files, each once, and what they hold.
 struct Files {
@@ -192,7 +192,7 @@ void alignPoses(const Scene& scene, const Warn& warn, SceneInput& input) {
   const BodyScene& body = *scene.body;
   if (body.align == false) return;
   const double seconds = secondsPerPose(scene);
-  const double farthest = std::max(kLeastShift, kWalk * seconds), widest = std::max(kLeastTurn, kTurn * seconds);
+  const double farthest = std::max(kMinShift, kWalk * seconds), widest = std::max(kMinTurn, kTurn * seconds);
   int moved = 0;
   std::string example;
   for (size_t p = 1; p < input.poses.size(); ++p) {

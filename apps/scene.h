@@ -126,8 +126,8 @@ struct GarmentAsRead {
   std::vector<int> vertex;  // of the garment, for each vertex of the file; -1: none
 };
 
-/// The same for the text of a file that need not exist, and of a scene that is still being made: it may lack a garment,
-/// or have boundaries and no region yet.
+/// Reads a scene that is still being made, from the text of a file that need not exist: it may lack a garment, or have
+/// boundaries and no region yet.  Throws as readScene() does.
 Scene readDraft(const std::string& text, const std::filesystem::path& file);
 
 /// The meshes and other data that a scene refers to, read and checked.

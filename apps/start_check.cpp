@@ -21,7 +21,7 @@ constexpr double kDeepestGarment = 0.001;  // m inside the body: less may come f
 constexpr double kPushable = 0.006;        // m inside the body: up to this vertices are moved out
 constexpr double kLargeEdge = 0.04;        // m: of a triangle; the samples of smaller ones lie close enough
 constexpr double kNearPart = 0.03;         // m: from a large triangle to the part of the body that it lies on
-constexpr double kLeastThickness = 0.4;    // of that part, over the longest edge
+constexpr double kMinThickness = 0.4;      // of that part, over the longest edge
 constexpr double kOutside = 5e-4;          // m: where they then lie
 constexpr double kSamePlace = 1e-4;        // m
 constexpr double kSameSurface = 5e-3;      // m, mean distance of a body's vertices to another mesh of it
@@ -131,7 +131,7 @@ void refuseLargeTriangles(const std::string& name, const TriangleTree& body, con
   });
   int count = 0, worst = 0;
   for (int t = 0; t < triangles.rows(); ++t) {
-    if (thickness[t] > kLeastThickness * edges[t]) continue;
+    if (thickness[t] > kMinThickness * edges[t]) continue;
     if (count++ == 0 || thickness[t] / edges[t] < thickness[worst] / edges[worst]) worst = t;
   }
   if (count == 0) return;

@@ -27,7 +27,7 @@ class TomlTable {
  public:
   /// Reads the file and returns its root table.  Throws InputError if the file is missing or is not TOML.
   static TomlTable read(const std::filesystem::path& file);
-  /// The same for the text of a file that need not exist.
+  /// Reads a text; `file` names it in messages and need not exist.
   static TomlTable parse(const std::string& text, const std::filesystem::path& file);
 
   /// Throws InputError if the table has a key other than these, and suggests the most similar of them.  To be called

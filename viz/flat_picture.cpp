@@ -44,17 +44,10 @@ void addSurface(vtkRenderer* renderer, const FlatView& view, const ColorScale& s
 }
 
 void addLine(vtkRenderer* renderer, const ViewLine& line, double above) {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
-  for (const Vec3& x : line.points) points->InsertNextPoint(x.x(), x.y(), above);
-  const auto count = static_cast<vtkIdType>(line.points.size());
-  cells->InsertNextCell(static_cast<int>(count + (line.is_closed ? 1 : 0)));
-  for (vtkIdType i = 0; i < count + (line.is_closed ? 1 : 0); ++i) cells->InsertCellPoint(i % count);
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetLines(cells);
+  std::vector<Vec3> raised = line.points;
+  for (Vec3& x : raised) x.z() = above;
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
+  mapper->SetInputData(toPolyLine(raised, line.is_closed));
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(line.color[0] / 255.0, line.color[1] / 255.0, line.color[2] / 255.0);

@@ -6,7 +6,6 @@
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -19,6 +18,7 @@
 #include <set>
 
 #include "solver/base/error.h"
+#include "viz/lights.h"
 #include "viz/offscreen.h"
 #include "viz/poly_data.h"
 #include "viz/quiet.h"
@@ -172,20 +172,6 @@ vtkSmartPointer<vtkActor> dotActor(const std::vector<MarkDot>& dots) {
   return actor;
 }
 
-void addLights(vtkRenderer* renderer) {
-  struct Lamp {
-    double x, y, z, intensity;  // direction towards the lamp in the camera's frame
-  };
-  renderer->AutomaticLightCreationOff();
-  for (const Lamp& lamp : {Lamp{-0.6, 0.8, 1.0, 1.0}, Lamp{0.9, 0.1, 0.6, 0.35}}) {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToCameraLight();
-    light->SetPosition(lamp.x, lamp.y, lamp.z);
-    light->SetIntensity(lamp.intensity);
-    renderer->AddLight(light);
-  }
-}
-
 }  // namespace
 
 struct LiveView::Parts {
@@ -201,13 +187,7 @@ struct LiveView::Parts {
 LiveView::LiveView() : parts_(std::make_unique<Parts>()) {
   const Quiet quiet;
   vtkGenericOpenGLRenderWindow* window = parts_->window;
-  window->SetOwnContext(0);
-  window->SetIsCurrent(true);
-  window->SetReadyForRendering(true);
-  window->SetSupportsOpenGL(1);
-  window->SetIsDirect(1);
-  window->SetMapped(1);
-  window->SetOffScreenRendering(1);
+  parts_->context.lend(*window);
   window->SetMultiSamples(parts_->context.isSoftware() ? 0 : 4);  // in software they take three times as long
   window->SetSize(64, 64);
   window->OpenGLInitContext();

@@ -2,6 +2,7 @@
 
 #include <EGL/eglext.h>
 #include <fmt/format.h>
+#include <vtkGenericOpenGLRenderWindow.h>
 
 #include <cstring>
 #include <string_view>
@@ -84,6 +85,16 @@ OffscreenContext::OffscreenContext(Renderer renderer) {
   }
   if (error != EGL_SUCCESS) fail("no context of OpenGL 3.2", error);
   fail("EGL offers no display", eglGetError());
+}
+
+void OffscreenContext::lend(vtkGenericOpenGLRenderWindow& window) const {
+  window.SetOwnContext(0);
+  window.SetIsCurrent(true);
+  window.SetReadyForRendering(true);
+  window.SetSupportsOpenGL(1);
+  window.SetIsDirect(1);
+  window.SetMapped(1);
+  window.SetOffScreenRendering(1);
 }
 
 void OffscreenContext::makeCurrent() const {

@@ -6,6 +6,8 @@
 
 #include <EGL/egl.h>
 
+class vtkGenericOpenGLRenderWindow;
+
 namespace ease {
 
 enum class Renderer { software_first, hardware_first };
@@ -19,6 +21,8 @@ class OffscreenContext {
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
+  /// Lets a VTK window draw into memory with this context.
+  void lend(vtkGenericOpenGLRenderWindow& window) const;
   /// Makes the context current in the calling thread again, of which there must be only one.
   void makeCurrent() const;
   /// Whether it draws in software, as far as EGL tells.

@@ -5,7 +5,6 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -23,6 +22,7 @@
 
 #include "solver/base/error.h"
 #include "viz/color_scale.h"
+#include "viz/lights.h"
 #include "viz/overlay.h"
 #include "viz/poly_data.h"
 #include "viz/rendered_file.h"
@@ -81,17 +81,8 @@ vtkSmartPointer<vtkActor> bodyActor(const TriangleMesh& body) {
 
 /// Makes an actor that draws a line.  The garment that it lies on does not hide it, but what is in front of both does.
 vtkSmartPointer<vtkActor> lineActor(const ViewLine& line) {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
-  for (const Vec3& x : line.points) points->InsertNextPoint(x.data());
-  const auto count = static_cast<vtkIdType>(line.points.size());
-  cells->InsertNextCell(static_cast<int>(count + (line.is_closed ? 1 : 0)));
-  for (vtkIdType i = 0; i < count + (line.is_closed ? 1 : 0); ++i) cells->InsertCellPoint(i % count);
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetLines(cells);
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
+  mapper->SetInputData(toPolyLine(line.points, line.is_closed));
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
   auto actor = vtkSmartPointer<vtkActor>::New();
@@ -100,20 +91,6 @@ vtkSmartPointer<vtkActor> lineActor(const ViewLine& line) {
   actor->GetProperty()->SetLineWidth(2.5 * kSamplesPerPixel);
   actor->GetProperty()->LightingOff();
   return actor;
-}
-
-void addLights(vtkRenderer* renderer) {
-  struct Lamp {
-    double x, y, z, intensity;  // direction towards the lamp in the camera's frame
-  };
-  renderer->AutomaticLightCreationOff();
-  for (const Lamp& lamp : {Lamp{-0.6, 0.8, 1.0, 1.1}, Lamp{0.9, 0.1, 0.6, 0.35}}) {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToCameraLight();
-    light->SetPosition(lamp.x, lamp.y, lamp.z);
-    light->SetIntensity(lamp.intensity);
-    renderer->AddLight(light);
-  }
 }
 
 /// The part of space that every view must show: the bounding box of all garments, m.

@@ -32,4 +32,17 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Positions& positions, vtkCellArray
   return mesh;
 }
 
+vtkSmartPointer<vtkPolyData> toPolyLine(const std::vector<Vec3>& points, bool is_closed) {
+  vtkNew<vtkPoints> places;
+  for (const Vec3& x : points) places->InsertNextPoint(x.data());
+  const auto count = static_cast<vtkIdType>(points.size()), ends = count + (is_closed ? 1 : 0);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(static_cast<int>(ends));
+  for (vtkIdType i = 0; i < ends; ++i) cells->InsertCellPoint(i % count);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(places);
+  data->SetLines(cells);
+  return data;
+}
+
 }  // namespace ease

@@ -5,6 +5,8 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <vector>
+
 #include "solver/mesh/triangle_mesh.h"
 
 namespace ease {
@@ -15,5 +17,8 @@ vtkSmartPointer<vtkCellArray> toCells(const Triangles& triangles);
 /// Makes a VTK mesh from points, in single precision, or in double where coordinates are beyond 10 m, and `cells`,
 /// which are shared and not copied.
 vtkSmartPointer<vtkPolyData> toPolyData(const Positions& positions, vtkCellArray* cells);
+
+/// Makes a VTK line through points, back to the first one if it is closed.
+vtkSmartPointer<vtkPolyData> toPolyLine(const std::vector<Vec3>& points, bool is_closed);
 
 }  // namespace ease

@@ -64,13 +64,7 @@ void renderToFile(const std::filesystem::path& file, int width, int height,
   const Quiet quiet;
   const OffscreenContext context;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
-  window->SetOwnContext(0);
-  window->SetIsCurrent(true);
-  window->SetReadyForRendering(true);
-  window->SetSupportsOpenGL(1);
-  window->SetIsDirect(1);
-  window->SetMapped(1);
-  window->SetOffScreenRendering(1);
+  context.lend(*window);
   window->SetMultiSamples(0);
   window->SetSize(kSamplesPerPixel * width, kSamplesPerPixel * height);
   window->SetNumberOfLayers(2);

@@ -12,7 +12,7 @@ namespace ease {
 
 namespace {
 
-constexpr double kLeastPull = 4.0;         // pixels: less is a click
+constexpr double kMinPull = 4.0;           // pixels: less is a click
 constexpr double kMinLength = 0.01;        // m
 constexpr double kPixelsForTwice = 240.0;  // across the axis: twice as wide
 
@@ -70,7 +70,7 @@ void ExtensionTool::press(const Pointer& pointer) {
 void ExtensionTool::drag(const Pointer& pointer) {
   if (!drag_) return;
   const double dx = pointer.x - drag_->from_x, dy = pointer.y - drag_->from_y;
-  drag_->moved = drag_->moved || std::hypot(dx, dy) >= kLeastPull;
+  drag_->moved = drag_->moved || std::hypot(dx, dy) >= kMinPull;
   const Projected centre = studio_.stage.project(drag_->centre);
   const Projected along = studio_.stage.project(drag_->centre + 0.1 * drag_->axis);
   double ax = along.x - centre.x, ay = along.y - centre.y;

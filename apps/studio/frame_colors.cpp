@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMaxPressure = 2000.0;  // Pa: about what a tight waistband presses with
 constexpr double kMaxEase = 50.0;        // mm
-constexpr double kMostGrowth = 1.5;      // area over area
+constexpr double kMaxShownGrowth = 1.5;  // area over area
 constexpr double kUsualLimit = 0.1;
 
 double limitOf(const Scene& scene) {
@@ -44,7 +44,7 @@ ShownScale scaleOf(Shown shown, const Scene& scene) {
     case Shown::ease:
       return {ColorScale(0.0, kMaxEase, kMaxEase), "ease: room beyond the comfort offset, mm", false};
     case Shown::growth:
-      return {ColorScale(1.0, kMostGrowth, kMostGrowth), "area of the rest shape over its first", false};
+      return {ColorScale(1.0, kMaxShownGrowth, kMaxShownGrowth), "area of the rest shape over its first", false};
     default:
       break;
   }

@@ -40,7 +40,6 @@ class MainWindow : public QMainWindow {
   /// Does what `ease run` does with the saved scene.
   RunDialog* run();
   const QString& statusText() const { return status_text_; }
-  double stepsPerSecond() const { return steps_per_s_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;

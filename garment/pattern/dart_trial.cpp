@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kTrialTolerance = 1e-5;  // m
 
-Badness badnessOf(const FlatPieces& flat, const Flattened& flattened, const StrainLimits& limits) {
-  Badness badness{0.0, flattened.energy};
-  const std::vector<ThreadStrain> strains = threadStrains(flat, flattened.x);
+Badness badnessOf(const FlatPieces& flat, const std::vector<ThreadStrain>& strains, double energy,
+                  const StrainLimits& limits) {
+  Badness badness{0.0, energy};
   for (size_t t = 0; t < strains.size(); ++t)
     if (strains[t].worst() > limits.thread || std::abs(strains[t].shear) > limits.shear)
       badness.over += 0.5 * flat.rest_edges[t].determinant();
@@ -33,20 +33,11 @@ Trial flattenPart(const Part& part, const std::vector<Seam>& darts, const FlatSe
   Positions start(flat.vertices, 3);
   for (int v = 0; v < flat.vertices; ++v)
     if (part.x.rows() > 0) start.row(v) = part.x.row(cut.pieces.glue[v]);
-  std::vector<SewnPair> pairs;
-  for (size_t e = 0; e < cut.edges.size(); ++e) {
-    const PieceEdge& a = cut.edges[e];
-    if (a.partner <= static_cast<int>(e)) continue;
-    const PieceEdge& b = cut.edges[a.partner];
-    const size_t n = a.vertices.size();
-    for (size_t i = 0; i + 1 < n; ++i)
-      pairs.push_back({a.vertices[i], a.vertices[i + 1], b.vertices[n - 1 - i], b.vertices[n - 2 - i]});
-  }
-  const Flattened flattened = flatten(flat, pairs, woven, part.x.rows() > 0 ? &start : nullptr);
+  const Flattened flattened = flatten(flat, sewnPairs(cut), woven, part.x.rows() > 0 ? &start : nullptr);
+  const std::vector<ThreadStrain> strains = threadStrains(flat, flattened.x);
   Trial trial;
-  trial.badness = badnessOf(flat, flattened, settings.limits);
-  trial.strain = strainOf(flat, flattened.x, threadStrains(flat, flattened.x),
-                          std::vector<int>(part.rest_edges.size(), 0), 0, settings.limits);
+  trial.badness = badnessOf(flat, strains, flattened.energy, settings.limits);
+  trial.strain = strainOf(flat, flattened.x, strains, std::vector<int>(part.rest_edges.size(), 0), 0, settings.limits);
   trial.is_sound = trial.strain.flipped == 0 && !crossesItself(flat.outlines.front(), flattened.x);
   trial.x.resize(part.mesh.positions.rows(), 3);
   for (int v = 0; v < flat.vertices; ++v) trial.x.row(cut.pieces.glue[v]) = flattened.x.row(v);

@@ -15,8 +15,8 @@ namespace ease {
 namespace {
 
 constexpr int kCandidates = 40;        // tips that are tried at a time
-constexpr double kShortest = 0.03;     // m: darts are at least this long
-constexpr double kLeastGain = 0.07;    // of what is left; a dart must gain at least that
+constexpr double kMinLength = 0.03;    // m: darts are at least this long
+constexpr double kMinGain = 0.07;      // share of what is still bad by which a dart must lessen it
 constexpr double kMirrorReach = 0.02;  // m
 constexpr int kTrialIterations = 40;
 constexpr int kIterations = 120;  // with the darts found so far
@@ -94,7 +94,7 @@ std::vector<int> spreadTips(const Ways& ways, const Positions& x) {
   for (int k = 0; k < kCandidates; ++k) {
     int best = -1;
     for (size_t v = 0; v < distance.size(); ++v) {
-      if (!std::isfinite(ways.length[v]) || ways.length[v] < kShortest) continue;
+      if (!std::isfinite(ways.length[v]) || ways.length[v] < kMinLength) continue;
       const double now = k == 0 ? ways.length[v] : distance[v];
       if (now > 0.0 && (best < 0 || now > (k == 0 ? ways.length[best] : distance[best]))) best = static_cast<int>(v);
     }
@@ -124,7 +124,7 @@ class DartSearch {
         std::vector<Seam> with = darts;
         with.push_back(candidates[k]);
         trials[k] = flattenPart(part_, with, settings_, kTrialIterations);
-        lengths[k] = lengthOf(candidates[k].vertices);
+        lengths[k] = lengthOf(candidates[k].vertices, part_.mesh.positions);
       });
       if (!takeBest(candidates, trials, lengths, darts, now)) break;
     }
@@ -135,7 +135,7 @@ class DartSearch {
   /// Adds the candidate that gains most for its length; returns false where none gains enough.
   bool takeBest(const std::vector<Seam>& candidates, const std::vector<Trial>& trials,
                 const std::vector<double>& lengths, std::vector<Seam>& darts, Trial& now) {
-    const double least = kLeastGain * now.badness.all();
+    const double least = kMinGain * now.badness.all();
     std::vector<std::pair<double, size_t>> by_rate;  // gain per length, negative, so that the best comes first
     for (size_t k = 0; k < candidates.size(); ++k)
       if (const double gain = now.badness.all() - trials[k].badness.all(); trials[k].is_sound && gain >= least)
@@ -154,13 +154,6 @@ class DartSearch {
       darts.pop_back();
     }
     return false;
-  }
-
-  double lengthOf(const std::vector<int>& chain) const {
-    double length = 0.0;
-    for (size_t i = 0; i + 1 < chain.size(); ++i)
-      length += (part_.mesh.positions.row(chain[i + 1]) - part_.mesh.positions.row(chain[i])).norm();
-    return length;
   }
 
   /// Shortest darts to tips spread over the part, and the mirror images of darts on the wearer's other side, which

@@ -17,26 +17,6 @@ FlatPieces flatPieces(const CutGarment& cut, const std::vector<Mat2>& rest_edges
   return flat;
 }
 
-/// The edges of both sides of all seams.
-std::vector<SewnPair> sewnPairs(const CutGarment& cut) {
-  std::vector<SewnPair> pairs;
-  for (size_t e = 0; e < cut.edges.size(); ++e) {
-    const PieceEdge& a = cut.edges[e];
-    if (a.partner < static_cast<int>(e)) continue;
-    const PieceEdge& b = cut.edges[a.partner];
-    const size_t n = a.vertices.size();
-    for (size_t i = 0; i + 1 < n; ++i)
-      pairs.push_back({a.vertices[i], a.vertices[i + 1], b.vertices[n - 1 - i], b.vertices[n - 2 - i]});
-  }
-  return pairs;
-}
-
-double lengthOf(const std::vector<int>& vertices, const Positions& x) {
-  double length = 0.0;
-  for (size_t i = 0; i + 1 < vertices.size(); ++i) length += (x.row(vertices[i + 1]) - x.row(vertices[i])).norm();
-  return length;
-}
-
 /// How far along an edge its vertices lie in the garment, m.
 std::vector<double> restLengthsAlong(const std::vector<int>& vertices, const FlatPieces& flat,
                                      const Topology& topology) {
@@ -86,14 +66,32 @@ void measure(const FlatSettings& settings, FlatPattern& pattern) {
     if (!keeps(piece.strain, settings.limits))
       pattern.warnings.push_back(
           fmt::format("piece '{}': threads {:.1f} % over {:g} % on {:.1f} % of its area, shear {:.1f} degrees at 99 %: "
-                      "no dart that was "
-                      "tried reaches the limits; give it one more seam",
+                      "no dart that was tried reaches the limits; give it one more seam",
                       piece.name, 100 * piece.strain.thread_p98, 100 * settings.limits.thread,
                       100 * piece.strain.thread_over_share, piece.strain.shear_p99 * 180 / M_PI));
   }
 }
 
 }  // namespace
+
+double lengthOf(const std::vector<int>& vertices, const Positions& x) {
+  double length = 0.0;
+  for (size_t i = 0; i + 1 < vertices.size(); ++i) length += (x.row(vertices[i + 1]) - x.row(vertices[i])).norm();
+  return length;
+}
+
+std::vector<SewnPair> sewnPairs(const CutGarment& cut) {
+  std::vector<SewnPair> pairs;
+  for (size_t e = 0; e < cut.edges.size(); ++e) {
+    const PieceEdge& a = cut.edges[e];
+    if (a.partner < static_cast<int>(e)) continue;
+    const PieceEdge& b = cut.edges[a.partner];
+    const size_t n = a.vertices.size();
+    for (size_t i = 0; i + 1 < n; ++i)
+      pairs.push_back({a.vertices[i], a.vertices[i + 1], b.vertices[n - 1 - i], b.vertices[n - 2 - i]});
+  }
+  return pairs;
+}
 
 bool isDartLeg(const CutGarment& cut, int edge) {
   const PieceEdge& leg = cut.edges[edge];

@@ -76,6 +76,12 @@ FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& re
 /// Flat edges of the garment's triangles if it is sewn from these pieces, m: what its rest shape is then.
 std::vector<Mat2> sewnEdges(const FlatPattern& pattern);
 
+/// The edges of both sides of all seams, one by one.
+std::vector<SewnPair> sewnPairs(const CutGarment& cut);
+
+/// Length of a chain of vertices, m.
+double lengthOf(const std::vector<int>& vertices, const Positions& x);
+
 /// Whether an edge is a leg of a dart: sewn to the edge beside it.
 bool isDartLeg(const CutGarment& cut, int edge);
 

@@ -37,7 +37,7 @@ TEST_CASE("pattern runs a scene, writes its pattern and how the garment sewn fro
   CHECK(report.at("resewn").at("rms_mm").get<double>() < 8.0);
   CHECK(report.at("cloth_m2").get<double>() > 0.2);
 
-  // Of the finished run, elsewhere, without simulating it again.
+  // The pattern of the finished run, written elsewhere, without simulating it again.
   const Outcome again = runEase(directory, "pattern made -o again");
   REQUIRE(again.code == 0);
   CHECK_THAT(again.out, !Contains("the scene is run first"));

@@ -28,7 +28,7 @@ steps_per_pose = 1
 limit = 0.08
 )";
 
-/// The same with a top that ends at neck, arms and waist.
+/// A scene like that with a top that ends at neck, arms and waist.
 inline std::string smallTop() {
   return std::string(kSmallDraft) + R"(
 [[garment.boundary]]

@@ -1,36 +1,9 @@
 #include "viz/picture.h"
 
-#include <vtkImageData.h>
-#include <vtkPNGReader.h>
-
 #include "tests/viz/fixtures.h"
+#include "tests/viz/png_pixels.h"
 
 using Catch::Matchers::Contains;
-
-namespace {
-
-struct HueCounts {
-  int width = 0, height = 0;
-  int white = 0, blue = 0, orange = 0;
-};
-
-HueCounts countHues(const std::filesystem::path& file) {
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
-  HueCounts counts{image->GetDimensions()[0], image->GetDimensions()[1]};
-  const auto* pixel = static_cast<const unsigned char*>(image->GetScalarPointer());
-  REQUIRE(image->GetNumberOfScalarComponents() == 3);
-  for (int i = 0; i < counts.width * counts.height; ++i, pixel += 3) {
-    if (pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255) ++counts.white;
-    if (pixel[2] > pixel[0] + 40) ++counts.blue;
-    if (pixel[0] > pixel[2] + 80) ++counts.orange;
-  }
-  return counts;
-}
-
-}  // namespace
 
 TEST_CASE("a picture shows both sides of the limit, on white, at its size, and nothing is printed") {
   const test::Directory directory;
@@ -48,7 +21,7 @@ TEST_CASE("a picture shows both sides of the limit, on white, at its size, and n
     WARN("skipped: " << reason);
     return;
   }
-  const HueCounts counts = countHues(file);
+  const test::Pixels counts(file);
   CHECK(counts.width == 1600);
   CHECK(counts.height == 1000);
   CHECK(counts.white > 400'000);
@@ -58,7 +31,7 @@ TEST_CASE("a picture shows both sides of the limit, on white, at its size, and n
   CHECK(!std::filesystem::exists(directory.path() / "stretch.png.part"));
 
   ease::drawStretch(file, {{"after", &mesh, after, nullptr}}, "largest principal stretch", 0.95, 1.1, 1.1);
-  CHECK(countHues(file).orange == 0);
+  CHECK(test::Pixels(file).orange == 0);
 }
 
 TEST_CASE("a picture that cannot be made returns the reason and leaves no file") {

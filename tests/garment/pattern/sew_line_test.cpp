@@ -30,17 +30,3 @@ TEST_CASE("legs of a dart are drawn straight and equally long") {
   REQUIRE(legs.size() == 2);
   CHECK(legs[0] == Approx(legs[1]).epsilon(1e-9));
 }
-
-TEST_CASE("notches on both sides of a seam lie at the same share of its length in the garment") {
-  Seam middle{"middle", {}, false};
-  for (int j = 0; j <= 20; ++j) middle.vertices.push_back(21 * j + 10);
-  const RestGarment sheet = restGarment(bentSheet(20, 0.6, [](double, double) { return 0.0; }), {middle});
-  FlatSettings settings;
-  const FlatPattern pattern = flattenGarment(sheet, settings);
-  const std::vector<DrawnPiece> pieces = drawPieces(pattern, Allowances());
-  // Two halves that are mirror images are drawn once.
-  REQUIRE(pieces.size() == 1);
-  CHECK(pieces.front().quantity == 2);
-  REQUIRE(pieces.front().notches.size() == 2);
-  CHECK(std::abs(pieces.front().notches[0].at.y() - pieces.front().notches[1].at.y()) == Approx(200.0).margin(0.5));
-}

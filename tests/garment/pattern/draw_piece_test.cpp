@@ -1,0 +1,45 @@
+#include "garment/pattern/draw_piece.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "tests/garment/pattern/shapes.h"
+
+using namespace ease;
+
+TEST_CASE("notches on both sides of a seam lie at the same share of its length in the garment") {
+  Seam middle{"middle", {}, false};
+  for (int j = 0; j <= 20; ++j) middle.vertices.push_back(21 * j + 10);
+  const RestGarment sheet = restGarment(bentSheet(20, 0.6, [](double, double) { return 0.0; }), {middle});
+  FlatSettings settings;
+  const FlatPattern pattern = flattenGarment(sheet, settings);
+  const std::vector<DrawnPiece> pieces = drawPieces(pattern, Allowances());
+  // Two halves that are mirror images are drawn once.
+  REQUIRE(pieces.size() == 1);
+  CHECK(pieces.front().quantity == 2);
+  REQUIRE(pieces.front().notches.size() == 2);
+  CHECK(std::abs(pieces.front().notches[0].at.y() - pieces.front().notches[1].at.y()) == Approx(200.0).margin(0.5));
+}
+
+TEST_CASE("a piece bears its name, how often to cut it, and a grain line along the warp within it") {
+  FlatSettings settings;
+  settings.names = {{"apron", Vec3::Zero()}};
+  const FlatPattern pattern =
+      flattenGarment(restGarment(bentSheet(6, 0.4, [](double, double) { return 0.0; })), settings);
+  const DrawnPiece piece = drawPieces(pattern, Allowances()).front();
+  const auto says = [&](const std::string& words) {
+    return std::any_of(piece.texts.begin(), piece.texts.end(), [&](const DrawnText& t) { return t.words == words; });
+  };
+  CHECK(says("apron"));
+  CHECK(says("piece 1 of 1"));
+  CHECK(says("cut 1, this side up"));
+  const auto grain = std::find_if(piece.lines.begin(), piece.lines.end(),
+                                  [](const DrawnLine& line) { return line.ink == Ink::grain; });
+  REQUIRE(grain != piece.lines.end());
+  const Bounds bounds = boundsOf(piece.sew);
+  CHECK(grain->points[0].x() == Approx(grain->points[1].x()));
+  for (const PaperPoint& end : grain->points) {
+    CHECK((end - bounds.lower).minCoeff() > 0.0);
+    CHECK((bounds.upper - end).minCoeff() > 0.0);
+  }
+}
