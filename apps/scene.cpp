@@ -25,7 +25,7 @@ constexpr double kMeasuringInterval = 0.02;  // s, between measurements of the s
 // default they are as long, and as rough, as pays.
 constexpr double kPassTimeStep = 0.0125;  // s
 constexpr double kPassTolerance = 0.2;
-constexpr double kPassCompression = 0.05;
+constexpr double kPassCompression = 0.05;  // wrinkles finer than the triangles (docs/numerics.md)
 
 BodyScene readBody(const TomlTable& table, const std::filesystem::path& folder) {
   table.allow(
