@@ -77,7 +77,7 @@ Polygons checkedPolygons(const RawMesh& raw, const std::string& name) {
     }
     polygons.corners[c] = static_cast<int>(vertex);
   }
-  checkFinite(polygons.points, name);
+  checkCoordinates(polygons.points, name);
   return polygons;
 }
 

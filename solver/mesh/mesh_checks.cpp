@@ -77,16 +77,16 @@ void checkSameNumber(const char* what, Eigen::Index first, const std::string& fi
 
 }  // namespace
 
-void checkFinite(const Positions& positions, const std::string& name) {
+void checkCoordinates(const Positions& positions, const std::string& name) {
   for (int i = 0; i < positions.rows(); ++i) {
-    if (positions.row(i).allFinite()) continue;
+    if ((positions.row(i).array().abs() <= kMaxCoordinate).all()) continue;  // false for NaN
     throw InputError(joined(name, ": vertex ", i, " is (", positions(i, 0), ", ", positions(i, 1), ", ",
-                            positions(i, 2), "); expected finite coordinates"));
+                            positions(i, 2), "); expected finite coordinates of at most ", kMaxCoordinate));
   }
 }
 
 void checkGeometry(const TriangleMesh& mesh, const std::string& name) {
-  checkFinite(mesh.positions, name);
+  checkCoordinates(mesh.positions, name);
   const double least_area = kMinRelativeArea * squaredDiagonal(mesh.positions);
   std::string first;
   int count = 0;

@@ -9,11 +9,15 @@
 
 namespace ease {
 
-/// Throws InputError naming the first vertex with a coordinate that is NaN or infinite.
-void checkFinite(const Positions& positions, const std::string& name);
+/// Largest coordinate that a mesh may have, in its file's unit: far beyond any garment, and small
+/// enough that squares and cells of a grid can be computed.
+inline constexpr double kMaxCoordinate = 1e9;
 
-/// Throws InputError, naming `name`, the first vertex or triangle at fault and its value: NaN or infinite coordinates;
-/// a triangle with a repeated vertex or with an area below 1e-12 of the squared mesh diagonal.
+/// Throws InputError naming the first vertex with a coordinate that is NaN, infinite or beyond `kMaxCoordinate`.
+void checkCoordinates(const Positions& positions, const std::string& name);
+
+/// Throws InputError, naming `name`, the first vertex or triangle at fault and its value: coordinates as above; a
+/// triangle with a repeated vertex or with an area below 1e-12 of the squared mesh diagonal.
 void checkGeometry(const TriangleMesh& mesh, const std::string& name);
 
 /// Throws InputError naming the first vertex without a triangle, which would have no mass in a garment.

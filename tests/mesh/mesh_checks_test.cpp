@@ -41,12 +41,14 @@ TEST_CASE("a sound mesh passes every check") {
   CHECK_NOTHROW(checkSameTriangles(kSquare, "a", kSquare, "b"));
 }
 
-TEST_CASE("a coordinate that is not finite is named with its vertex") {
+TEST_CASE("a coordinate that is not finite, or too large to compute with, is named with its vertex") {
   TriangleMesh mesh = kSquare;
   mesh.positions(2, 1) = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(checkGeometry(mesh, "shirt.obj"), InputError);
   CHECK_THROWS_WITH(checkGeometry(mesh, "shirt.obj"),
-                    "shirt.obj: vertex 2 is (1, nan, 0); expected finite coordinates");
+                    "shirt.obj: vertex 2 is (1, nan, 0); expected finite coordinates of at most 1e+09");
+  mesh.positions(2, 1) = 1e200;  // whose square is infinite
+  CHECK_THROWS_WITH(checkGeometry(mesh, "shirt.obj"), Contains("vertex 2 is (1, 1e+200, 0)"));
   mesh.positions(1, 0) = -std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(checkGeometry(mesh, "shirt.obj"), Contains("vertex 1 is (-inf, 0, 0)"));
 }
