@@ -35,7 +35,9 @@ bool GrowthDemand::letOut(Cloth& cloth) {
   const bool grows =
       std::any_of(growth_.begin(), growth_.end(), [](const Mat2& growth) { return growth != Mat2::Identity(); });
   if (grows) {
+    const std::vector<Mat2> own = growth_;
     smoothGrowth(cloth, kSmoothingPasses, growth_);
+    for (size_t t = 0; t < own.size(); ++t) growth_[t] = smallestAboveBoth(growth_[t], own[t]);
     growMetric(growth_, cloth);
   }
   growth_.clear();

@@ -16,7 +16,7 @@
 namespace ease {
 
 /// Strains, as shares of the limit: cloth that is stretched above the first grows until it is stretched to the second.
-constexpr double kActAbove = 0.7, kGoal = 0.5;
+constexpr double kActAbove = 0.8, kGoal = 0.6;
 
 class GrowthDemand {
  public:
@@ -26,8 +26,9 @@ class GrowthDemand {
   /// Adds what a moment asks for.
   void add(const Cloth& cloth, const std::vector<Stretch>& stretch);
 
-  /// Gives the cloth the metric that the moments asked for, averaged over neighbours (rest_metric.h), and forgets the
-  /// moments.  Returns whether any triangle grew.
+  /// Gives the cloth the metric that the moments asked for (rest_metric.h), and forgets the moments.  A triangle grows
+  /// as much as it asks for, and at least as much as it and its neighbours ask for on average.  Returns whether any
+  /// triangle grew.
   bool letOut(Cloth& cloth);
 
   /// Number of triangles that were over the limit in a moment although they have grown as far as they may (kMaxGrowth).

@@ -24,12 +24,12 @@ int cornerOppositeTo(const Topology& topology, int t, int e) {
   return corner;
 }
 
-/// Mean of a length over the one or two triangles at an edge.
+/// The longest of the lengths that the one or two triangles at an edge give it.
 template <class LengthIn>
-double meanAtEdge(const Topology& topology, int e, const LengthIn& length) {
+double longestAtEdge(const Topology& topology, int e, const LengthIn& length) {
   const auto [t0, t1] = topology.edges[e].triangle;
   const double first = length(t0, cornerOppositeTo(topology, t0, e));
-  return t1 < 0 ? first : 0.5 * (first + length(t1, cornerOppositeTo(topology, t1, e)));
+  return t1 < 0 ? first : std::max(first, length(t1, cornerOppositeTo(topology, t1, e)));
 }
 
 }  // namespace
@@ -52,8 +52,8 @@ void growMetric(const std::vector<Mat2>& growth, Cloth& cloth) {
   const auto grows = [&](int t) { return growth[t] != Mat2::Identity(); };
   std::vector<double> lengths(topology.edges.size());
   parallelFor(static_cast<int>(lengths.size()), 512, [&](int e) {
-    lengths[e] =
-        meanAtEdge(topology, e, [&](int t, int corner) { return (growth[t] * edgeOpposite(now[t], corner)).norm(); });
+    lengths[e] = longestAtEdge(topology, e,
+                               [&](int t, int corner) { return (growth[t] * edgeOpposite(now[t], corner)).norm(); });
   });
   RestShape rest{cloth.restPositions(), now};
   parallelFor(cloth.triangleCount(), 512, [&](int t) {
@@ -74,8 +74,8 @@ MetricError metricError(const Cloth& cloth, const Positions& x) {
   std::vector<double> errors;
   double sum = 0.0;
   for (int e = 0; e < std::ssize(topology.edges); ++e) {
-    const double length =
-        meanAtEdge(topology, e, [&](int t, int corner) { return edgeOpposite(cloth.restEdges()[t], corner).norm(); });
+    const double length = longestAtEdge(
+        topology, e, [&](int t, int corner) { return edgeOpposite(cloth.restEdges()[t], corner).norm(); });
     const auto [a, b] = topology.edges[e].vertex;
     errors.push_back(std::abs((x.row(a) - x.row(b)).norm() / length - 1.0));
     sum += errors.back();

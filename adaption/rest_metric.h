@@ -1,7 +1,7 @@
 // The rest shape as a metric: one rest length for every edge, and the flat triangles that have these lengths.
 //
 //   D'_t    flat edges that triangle t asks for, 2x2, m
-//   l_e     rest length of edge e: the mean of |D'_t e| over the triangles t at the edge, m
+//   l_e     rest length of edge e: the longest of |D'_t e| over the triangles t at the edge, m
 //   D_t     the flat triangle with the lengths l_e, turned so that it lies nearest to D'_t, m
 //
 // Neighbours agree on the length of their common edge, so the flat triangles fit together, although no surface in space

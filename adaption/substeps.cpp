@@ -16,7 +16,6 @@ constexpr double kMargin = 0.05;  // m: beyond the garment's bounding box the bo
 constexpr int kMaxParts = 256;
 constexpr double kMinOffset = 0.005;            // m: smaller comfort offsets count as this one
 constexpr double kMaxMotionPerLevelSet = 0.03;  // m, from a level set to the next
-constexpr double kMaxMotionOverOffset = 0.5;    // in a part of a time step
 
 }  // namespace
 
@@ -43,7 +42,7 @@ double bodyMotionPerStep(const Schedule& schedule, const Triangles& body, const 
 
 Substeps chooseSubsteps(const Schedule& schedule, double body_motion, double comfort_offset) {
   if (schedule.poses < 2) return {};
-  const double max_motion = kMaxMotionOverOffset * std::max(kMinOffset, comfort_offset);
+  const double max_motion = std::max(kMinOffset, comfort_offset);
   if (body_motion > kMaxParts * max_motion)
     throw InputError(joined("the body moves ", body_motion, " m in a time step of ", schedule.time_step,
                             " s: expected at most ", kMaxParts * max_motion,

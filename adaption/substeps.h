@@ -17,9 +17,9 @@ struct Substeps {
 double bodyMotionPerStep(const Schedule& schedule, const Triangles& body, const std::vector<Positions>& poses,
                          const Positions& garment);
 
-/// Chooses the parts so that the body's surface moves by at most half the comfort offset (or 2.5 mm where the offset is
-/// below 5 mm) in a part of a time step, and by 3 cm in a part of an interpolation step.  `body_motion`: in a time
-/// step, m.  Throws InputError where a time step would have more than 256 parts.
+/// Chooses the parts so that the body's surface moves by at most the comfort offset (or 5 mm, where the offset is less)
+/// in a part of a time step, and by 3 cm in a part of an interpolation step.  `body_motion`: in a time step, m.  Throws
+/// InputError where a time step would have more than 256 parts.
 Substeps chooseSubsteps(const Schedule& schedule, double body_motion, double comfort_offset);
 
 }  // namespace ease

@@ -140,7 +140,7 @@ TEST_CASE("a pose that jumps beyond the level set's band is divided, and takes i
   trial.scene.body->steps = 1;
   trial.scene.solver.steps_per_pose = 1;
   trial.run();
-  CHECK(trial.record.substeps.time >= 80);
+  CHECK(trial.record.substeps.time >= 40);
   CHECK(trial.deepestVertex() <= 1e-4);
 }
 
