@@ -121,11 +121,13 @@ void Run::measure(const Moment& moment, const RunWatch& watch) {
   const Stopwatch stopwatch(record_.times.adaption);
   measureStretch(cloth_, state_.positions, stretch_);
   const double limit = settings_.limit.value_or(std::numeric_limits<double>::infinity());
-  record_.stretch.add(momentStatistics(stretch_, limit), moment.pose);
+  const StretchStatistics statistics = momentStatistics(stretch_, limit);
+  record_.stretch.add(statistics, moment.pose);
   Fastest now{0.0, moment.time_s, 0};
   now.speed_m_s = record_.final_speed_m_s = state_.velocities.rowwise().norm().maxCoeff(&now.vertex);
   if (now.speed_m_s > record_.fastest.speed_m_s) record_.fastest = now;
   if (watch.on_stretch) watch.on_stretch(stretch_);
+  if (watch.on_measured) watch.on_measured({moment.time_s, statistics, now.speed_m_s});
   if (!contacts_) return;
   const double s = contacts_->bodyAt(moment.done);
   contacts_->measure(s, state_.positions);
@@ -146,7 +148,12 @@ void Run::adapt() {
 
 void Run::tell(const Moment& moment, const RunWatch& watch) {
   const Stopwatch stopwatch(record_.times.output);
-  if (moment.written && watch.on_frame) watch.on_frame(snapshot(moment));
+  const bool writes = moment.written && watch.on_frame, shows = moment.shown && watch.on_shown;
+  if (writes || shows) {
+    const Snapshot shot = snapshot(moment);
+    if (shows) watch.on_shown(shot);
+    if (writes) watch.on_frame(shot);
+  }
   if (!moment.checkpoint || !watch.on_checkpoint) return;
   watch.on_checkpoint(stateToGoOn(moment));
   // From here on this run and one that goes on from the checkpoint must do the same to the last bit: what is remembered

@@ -7,6 +7,7 @@ namespace ease {
 namespace {
 
 constexpr int kFramesPerCheckpoint = 10;
+constexpr int kShownMoments = 24;  // of a whole run, and every pose
 
 bool bodyMoves(const Schedule& schedule) {
   return schedule.poses > 1;
@@ -19,6 +20,7 @@ bool isEvery(int count, int interval) {
 /// Fills in what is due at the end of a step.
 void setDue(const Schedule& schedule, bool is_last, Moment& moment) {
   const int step = moment.done.all;
+  moment.last = is_last;
   moment.adapts = isEvery(step, schedule.adapt_every);
   moment.written = schedule.write_every > 0 && (isEvery(step, schedule.write_every) || is_last);
   const bool has_reached_pose = moment.pose >= 0;
@@ -56,6 +58,8 @@ std::vector<Moment> timeline(const Schedule& schedule, const StepsDone& done) {
 
   const std::vector<int> poses = posesOfMotion(schedule);
   const int steps_per_leg = schedule.steps_per_pose * schedule.interpolation_steps;
+  const int all = now.all + count;
+  int shown = static_cast<int>(static_cast<long>(now.all) * kShownMoments / std::max(1, all));
   std::vector<Moment> moments;
   for (int k = 1; k <= count; ++k) {
     Moment moment;
@@ -67,6 +71,9 @@ std::vector<Moment> timeline(const Schedule& schedule, const StepsDone& done) {
     moment.settles = now.still > held;
     if (moment.moves && now.moving % steps_per_leg == 0) moment.pose = poses[now.moving / steps_per_leg];
     setDue(schedule, k == count, moment);
+    const int due = static_cast<int>(static_cast<long>(now.all) * kShownMoments / all);
+    moment.shown = moment.measured && (moment.pose >= 0 || k == count || due > shown);
+    if (moment.shown) shown = due;
     moments.push_back(moment);
   }
   return moments;
@@ -75,7 +82,7 @@ std::vector<Moment> timeline(const Schedule& schedule, const StepsDone& done) {
 Moment startMoment(const Schedule& schedule) {
   Moment start;
   start.pose = schedule.poses > 0 ? 0 : -1;
-  start.measured = start.checkpoint = true;
+  start.measured = start.shown = start.checkpoint = true;
   start.written = schedule.write_every > 0;
   return start;
 }

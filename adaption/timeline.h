@@ -39,6 +39,8 @@ struct Moment {
   bool adapts = false;      // the rest shape is adapted
   bool measured = false;    // stretch and distance to the body are measured; true wherever it adapts or writes
   bool written = false;     // a frame is written
+  bool last = false;        // of the run
+  bool shown = false;       // measured, and worth a picture: a pose, the end, and a few dozen between
   bool checkpoint = false;  // a later run may go on from here
 };
 

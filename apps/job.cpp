@@ -9,6 +9,7 @@
 
 #include "apps/doubts.h"
 #include "apps/frames.h"
+#include "apps/page/fit_page.h"
 #include "apps/painted_rest.h"
 #include "apps/progress.h"
 #include "apps/report.h"
@@ -73,6 +74,7 @@ class Job {
       }
     }
     finishReport();
+    if (!interrupted_ && report_.failure.empty()) writePage();
     if (!report_.failure.empty()) throw ComputationError(report_.failure);
     if (!interrupted_) removeEarlierReport(directory_);
     fmt::print("{}", summaryText(report_));
@@ -134,6 +136,7 @@ class Job {
       series.emplace(directory_, given_, numbering_, first_areas_, limit(), keep_until);
       run_watch.on_frame = [&](const Snapshot& snapshot) { series->write(snapshot); };
     }
+    if (!verifies()) fillAlbum(run_watch, given_, numbering_, limit(), false, album_after_);
     run_watch.on_checkpoint = [&](const RunState& state) {
       if (series) series->finish();  // frames must be on disk before the checkpoint after them
       writeCheckpoint(directory_ / kCheckpoint, checkpointOf(state));
@@ -172,9 +175,14 @@ class Job {
     std::optional<SeriesOfRun> series;
     FitWatch fit_watch;
     fit_watch.interrupted = &interrupted_;
-    fit_watch.of_pass = [&](int pass) { return watch(fmt::format("pass {}", pass)); };
+    fit_watch.of_pass = [&](int pass) {
+      RunWatch run_watch = watch(fmt::format("pass {}", pass));
+      if (pass == 1) fillAlbum(run_watch, given_, numbering_, limit(), true, album_before_);
+      return run_watch;
+    };
     fit_watch.of_check = [&] {
       RunWatch run_watch = watch("check");
+      fillAlbum(run_watch, given_, numbering_, limit(), false, album_after_);
       if (!scene_.output) return run_watch;
       series.reset();
       series.emplace(directory_, given_, numbering_, first_areas_, limit());
@@ -220,17 +228,20 @@ class Job {
 
   void replays() {
     const RestShape adapted = cloth_->rest();
-    replay(cloth_->first(), "replaying the first rest shape", report_.before, before_);
-    replay(adapted, "replaying the adapted rest shape", report_.after, after_);
+    replay(cloth_->first(), "replaying the first rest shape", report_.before, before_, album_before_);
+    replay(adapted, "replaying the adapted rest shape", report_.after, after_, album_after_);
     report_.verified = !interrupted_;
   }
 
-  void replay(const RestShape& rest, const char* activity, PassRecord& record, ShownReplay& replay) {
+  void replay(const RestShape& rest, const char* activity, PassRecord& record, ShownReplay& replay,
+              MotionAlbum& album) {
     if (interrupted_) return;
     cloth_->setRest(rest);
     const RunInput run_input = runInput(scene_, input_, body());
     Run run(runSettings(scene_, replaySchedule(scene_)), run_input, *cloth_);
-    run.run(watch(activity));
+    RunWatch run_watch = watch(activity);
+    fillAlbum(run_watch, given_, numbering_, limit(), &album == &album_before_, album);
+    run.run(run_watch);
     record = run.record();
     replay = shown(rest, run.state().positions);
   }
@@ -259,6 +270,15 @@ class Job {
     }
   }
 
+  void writePage() {
+    const std::vector<int>& order = numbering_.garment.triangles;
+    std::vector<double> growth = cloth_->restAreas();
+    for (size_t t = 0; t < growth.size(); ++t) growth[t] /= first_areas_[t];
+    const std::vector<double> areas = restored(first_areas_, order);
+    growth = restored(growth, order);
+    writeFitPage({scene_, given_, report_, album_before_, album_after_, areas, growth}, directory_);
+  }
+
   void finishReport() {
     for (const std::string& warning : runWarnings(report_)) report_.warnings.push_back(warning);
     report_.interrupted = interrupted_;
@@ -284,6 +304,7 @@ class Job {
   std::vector<double> first_areas_;  // areas of the first rest shape's triangles, m^2
   Positions end_;                    // positions of the garment after the run, m
   ShownReplay before_, after_;
+  MotionAlbum album_before_, album_after_;
   Report report_;
   std::optional<Progress> progress_;
 };

@@ -31,7 +31,7 @@ constexpr std::array kGarmentFiles = {"garment.obj", "garment.vtp", "garment.png
 
 constexpr const char* kLock = ".ease-lock";
 
-constexpr std::array kShown = {"report.json", "stretch.png", "stretch_first_pose.png"};
+constexpr std::array kShown = {"report.json", "stretch.png", "stretch_first_pose.png", "fit.html"};
 constexpr std::array kShapes = {"rest_shape.obj", "rest_shape.vtp", "rest_pieces.obj", "rest_pieces.vtp",
                                 "rest_pieces.json"};
 

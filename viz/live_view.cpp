@@ -175,7 +175,9 @@ vtkSmartPointer<vtkActor> dotActor(const std::vector<MarkDot>& dots) {
 }  // namespace
 
 struct LiveView::Parts {
-  OffscreenContext context{Renderer::hardware_first};
+  explicit Parts(Renderer kind) : context(kind) {}
+
+  OffscreenContext context;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   Surface body{kBodyColor}, garment{kClothColor};
@@ -184,7 +186,7 @@ struct LiveView::Parts {
   vtkNew<vtkUnsignedCharArray> pixels;
 };
 
-LiveView::LiveView() : parts_(std::make_unique<Parts>()) {
+LiveView::LiveView(Renderer kind) : parts_(std::make_unique<Parts>(kind)) {
   const Quiet quiet;
   vtkGenericOpenGLRenderWindow* window = parts_->window;
   parts_->context.lend(*window);

@@ -1,6 +1,7 @@
 // A picture of a body, a garment and marks that is drawn again and again: the view of an editor.
 //
-// It renders to memory without a display, on the graphics card where there is one, otherwise in software.  Meshes keep
+// It renders to memory without a display, on the graphics card where there is one and that is asked for, otherwise in
+// software.  Meshes keep
 // their buffers from picture to picture; only what has changed is handed over.
 #pragma once
 
@@ -10,6 +11,7 @@
 #include "solver/mesh/triangle_mesh.h"
 #include "viz/camera.h"
 #include "viz/color_scale.h"
+#include "viz/renderer.h"
 
 namespace ease {
 
@@ -36,7 +38,7 @@ struct Picture {
 class LiveView {
  public:
   /// Throws ComputationError if no OpenGL context can be made.
-  LiveView();
+  explicit LiveView(Renderer renderer = Renderer::hardware_first);
   ~LiveView();
   LiveView(const LiveView&) = delete;
   LiveView& operator=(const LiveView&) = delete;

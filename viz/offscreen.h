@@ -6,11 +6,11 @@
 
 #include <EGL/egl.h>
 
+#include "viz/renderer.h"
+
 class vtkGenericOpenGLRenderWindow;
 
 namespace ease {
-
-enum class Renderer { software_first, hardware_first };
 
 /// An OpenGL context that is current in the calling thread from construction to destruction, or until another one is.
 class OffscreenContext {

@@ -24,6 +24,23 @@ auto membersOf(const Moment& m) {
 
 }  // namespace
 
+TEST_CASE("pictures are due at poses, at the end, and at a couple of dozen measured moments between") {
+  Schedule schedule = twoPoses();
+  schedule.interpolation_steps = 100;
+  schedule.settle = 5;
+  const std::vector<Moment> moments = timeline(schedule);
+  int shown = 0;
+  for (const Moment& m : moments) {
+    CHECK(m.last == (m.done.all == 405));
+    if (m.last || m.pose >= 0) CHECK(m.shown);
+    if (m.shown) CHECK(m.measured);
+    shown += m.shown;
+  }
+  CHECK(shown >= 24);
+  CHECK(shown <= 27);
+  CHECK(startMoment(schedule).shown);
+}
+
 TEST_CASE("what is due comes at its interval, at poses and at the end") {
   Schedule schedule = twoPoses();
   schedule.settle = 3;

@@ -1,0 +1,286 @@
+#include "apps/page/fit_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "apps/page/fit_figures.h"
+#include "apps/page/line_chart.h"
+#include "apps/page/page_pictures.h"
+#include "apps/page/page_style.h"
+#include "solver/base/error.h"
+#include "solver/base/whole_file.h"
+
+namespace ease {
+
+namespace {
+
+constexpr double kShownStretch = 0.1;                                        // marked where the scene has no limit
+constexpr double kFirm = 2000.0, kPainful = 5900.0, kPressureEnd = 10000.0;  // Pa
+constexpr double kLooseEase = 0.05;                                          // m, end of the scale
+
+class Writer {
+ public:
+  explicit Writer(const FitPage& page)
+      : page_(page),
+        limit_(page.scene.adaption ? page.report.limit : kShownStretch),
+        areas_(garmentAreas(page.scene, page.input)) {}
+
+  std::string html(PagePictures* pictures) {
+    out_ = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+        "content=\"width=device-width, initial-scale=1\">\n<title>{0}: the "
+        "fit</title>\n<style>{1}</style></head><body>\n"
+        "<h1>{0}</h1>\n",
+        escaped(page_.scene.name), kPageStyle);
+    verdict();
+    if (pictures) motion(*pictures);
+    for (size_t p = 0; p < page_.input.pose_names.size(); ++p)
+      if (const ShownMoment* after = momentOfPose(page_.after, static_cast<int>(p))) pose(p, *after, pictures);
+    if (page_.input.pose_names.empty() && !page_.after.moments.empty()) pose(0, page_.after.moments.back(), pictures);
+    if (pictures && page_.scene.adaption) growth(*pictures);
+    tightest();
+    charts();
+    notes();
+    madeWith();
+    return out_ + fmt::format("<script>{}</script>\n</body></html>\n", kPageScript);
+  }
+
+ private:
+  template <class... Values>
+  void add(fmt::format_string<Values...> format, Values&&... values) {
+    out_ += fmt::format(format, std::forward<Values>(values)...);
+  }
+
+  bool hasBefore() const { return !page_.before.moments.empty(); }
+  std::string percent(double share) const { return fmt::format("{:.3g} %", std::round(1e4 * share) / 100.0); }
+
+  void verdict() {
+    const Report& report = page_.report;
+    if (!report.doubts.empty()) {
+      add("<p class=\"verdict bad\">This result says nothing about the fit: {}.</p>\n", escaped(report.doubts.front()));
+    } else if (report.verified) {
+      const StretchStatistics &after = report.after.stretch.overall, &before = report.before.stretch.overall;
+      const double target = fitsInPasses(page_.scene) ? page_.scene.adaption->fit.target : 0.0;
+      add("<p class=\"verdict {}\">{} At the worst moment {} of the garment's triangles are stretched by more than "
+          "{:.3g} "
+          "%; before it was let out, {}.</p>\n",
+          after.share_over_limit <= target ? "good" : "fair",
+          after.share_over_limit <= target ? "The garment fits in every pose."
+                                           : "Places of the garment stay too tight.",
+          percent(after.share_over_limit), 100.0 * report.limit, percent(before.share_over_limit));
+    } else {
+      add("<p class=\"verdict fair\">The garment was simulated, not fitted: its largest stretch is {:.0f} %.</p>\n",
+          100.0 * (report.run.stretch.overall.max - 1.0));
+    }
+    add("<dl class=\"figures\">");
+    const auto figure = [&](const std::string& name, const std::string& value) {
+      add("<div><dt>{}</dt><dd>{}</dd></div>", name, value);
+    };
+    if (page_.scene.adaption) {
+      figure("cloth added", fmt::format("{:+.1f} %", 100.0 * (report.growth.area_ratio - 1.0)));
+      figure("most let out", fmt::format("× {:.2f}", report.growth.max));
+    }
+    if (report.time_to_fit_s) figure("time to fit", fmt::format("{:.1f} s", *report.time_to_fit_s));
+    figure("triangles", fmt::format("{}", report.triangles));
+    if (!report.fit.passes.empty()) figure("passes", fmt::format("{}", report.fit.passes.size()));
+    add("</dl>\n");
+  }
+
+  void motion(PagePictures& pictures) {
+    if (page_.after.moments.size() < 2) return;
+    const ColorScale scale = stretchScale();
+    add("<h2>Through the motion</h2>\n<div class=\"motion\" id=\"motion\">\n");
+    for (size_t m = 0; m < page_.after.moments.size(); ++m) {
+      const ShownMoment& moment = page_.after.moments[m];
+      const std::string pose = moment.pose >= 0 ? ", " + page_.input.pose_names[moment.pose] : "";
+      add("<figure{}><img src=\"{}\" alt=\"garment at {:.2f} s\"><figcaption>{:.2f} s{}</figcaption></figure>\n",
+          m == 0 ? " class=\"now\"" : "", pictures.drawFrame(page_.after, m, scale), moment.time_s, moment.time_s,
+          escaped(pose));
+    }
+    add("<input type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"moment\"></div>\n",
+        page_.after.moments.size() - 1);
+    legend(stretch());
+  }
+
+  ColorScale stretchScale() const { return {1.0, 1.0 + 2.0 * limit_, 1.0 + limit_}; }
+  ShownValue stretch() const {
+    return {"Stretch", "%", 100.0, stretchScale(), {{1.0 + limit_, page_.scene.adaption ? "limit" : "10 %"}}};
+  }
+  ShownValue pressure() const {
+    return {
+        "Pressure on the body", "kPa", 1e-3, {0.0, kPressureEnd, kPainful}, {{kFirm, "firm"}, {kPainful, "painful"}}};
+  }
+  ShownValue distance() const { return {"Ease: distance from the body", "mm", 1e3, {0.0, kLooseEase, kLooseEase}, {}}; }
+
+  /// The colours of a value with its marks, as SVG.
+  void legend(const ShownValue& value) {
+    const double low = value.scale.low(), high = value.scale.high();
+    const double zero = value.title == "Stretch" || value.title == "Growth" ? 1.0 : 0.0;  // shown as 0 %
+    add("<svg class=\"legend\" viewBox=\"0 0 420 40\" role=\"img\" aria-label=\"colours of {}\">", value.title);
+    constexpr int kBlocks = 60;
+    for (int b = 0; b < kBlocks; ++b) {
+      const Rgb c = value.scale.color(low + (high - low) * (b + 0.5) / kBlocks);
+      add("<rect x=\"{}\" y=\"2\" width=\"7\" height=\"14\" fill=\"#{:02x}{:02x}{:02x}\"/>", 7 * b, c[0], c[1], c[2]);
+    }
+    const auto number = [&](double v, double x, const char* anchor, const std::string& word) {
+      add("<text x=\"{:.0f}\" y=\"32\" text-anchor=\"{}\">{:.3g} {} {}</text>", x, anchor, value.factor * (v - zero),
+          value.unit, word);
+    };
+    number(low, 0, "start", "");
+    for (const auto& [at, word] : value.marks) {
+      const double x = 420.0 * (at - low) / (high - low);
+      add("<path class=\"mark\" d=\"M{0:.1f} 0V20\"/>", x);
+      number(at, x, "middle", word);
+    }
+    number(high, 420, "end", "");
+    add("</svg>\n");
+  }
+
+  void row(PagePictures& pictures, const std::string& title, const ShownMoment& moment,
+           const std::vector<float>& values, const ColorScale& scale) {
+    add("<h4>{}</h4><div class=\"sides\">", title);
+    for (size_t side = 0; side < kSides.size(); ++side)
+      add("<figure><img src=\"{}\" alt=\"{}, {}\"><figcaption>{}</figcaption></figure>",
+          pictures.draw(moment, values, scale, side), title, kSides[side], kSides[side]);
+    add("</div>\n");
+  }
+
+  void pose(size_t p, const ShownMoment& after, PagePictures* pictures) {
+    add("<h2>{}</h2>\n",
+        p < page_.input.pose_names.size() ? "Pose " + escaped(page_.input.pose_names[p]) : "At the end");
+    const ShownMoment* before = momentOfPose(page_.before, static_cast<int>(p));
+    table(before, after);
+    if (!pictures) return;
+    add("<h3>Stretch</h3>");
+    legend(stretch());
+    if (before) row(*pictures, "before", *before, before->sigma_1, stretchScale());
+    row(*pictures, hasBefore() ? "after" : "as simulated", after, after.sigma_1, stretchScale());
+    if (after.pressure.empty()) return;
+    for (const ShownValue& value : {pressure(), distance()}) {
+      add("<h3>{}</h3>", value.title);
+      legend(value);
+      row(*pictures, hasBefore() ? "after" : "as simulated", after,
+          value.unit == "mm" ? after.distance : after.pressure, value.scale);
+    }
+  }
+
+  void table(const ShownMoment* before, const ShownMoment& after) {
+    const auto figures = areaFigures(areas_, page_.input, after, page_.first_areas, page_.growth);
+    std::vector<AreaFigures> earlier;
+    if (before) earlier = areaFigures(areas_, page_.input, *before, page_.first_areas, page_.growth);
+    add("<div class=\"wide\"><table><tr><th>part</th><th>cloth, cm²</th>{}{}<th>largest stretch</th><th>over the "
+        "limit</th>"
+        "<th>largest pressure, kPa</th><th>ease, mean mm</th></tr>\n",
+        page_.scene.adaption ? "<th>cloth added</th>" : "", before ? "<th>largest stretch before</th>" : "");
+    for (size_t a = 0; a < figures.size(); ++a) {
+      const AreaFigures& f = figures[a];
+      add("<tr><th>{}</th><td>{:.0f}</td>", a < areas_.names.size() ? escaped(areas_.names[a]) : "all",
+          1e4 * f.cloth_m2);
+      if (page_.scene.adaption) add("<td>{:+.1f} %</td>", 100.0 * (f.cloth_growth - 1.0));
+      if (before) add("<td>{:.1f} %</td>", 100.0 * (earlier[a].max_stretch - 1.0));
+      add("<td>{:.1f} %</td><td>{}</td>", 100.0 * (f.max_stretch - 1.0), percent(f.share_over_limit));
+      if (after.pressure.empty())
+        add("<td>–</td><td>–</td></tr>\n");
+      else
+        add("<td>{:.2f}</td><td>{:.1f}</td></tr>\n", 1e-3 * f.max_pressure_Pa, 1e3 * f.mean_distance_m);
+    }
+    add("</table></div>\n");
+  }
+
+  void growth(PagePictures& pictures) {
+    const std::vector<float> values(page_.growth.begin(), page_.growth.end());
+    const double most = std::max(1.2, std::ceil(10.0 * *std::max_element(values.begin(), values.end())) / 10.0);
+    const ShownValue value{"Growth", "%", 100.0, {1.0, most, most}, {}};
+    add("<h2>Where cloth was added</h2>\n<p>Area of the rest shape over that of the garment as it was.</p>");
+    legend(value);
+    row(pictures, "growth", page_.after.moments.front(), values, value.scale);
+  }
+
+  void tightest() {
+    const std::vector<TightPlace> places = tightestPlaces(page_.after, page_.input, 5);
+    if (places.empty()) return;
+    add("<h2>Tightest places</h2>\n<ol>");
+    for (const TightPlace& place : places)
+      add("<li>{:.1f} % at {:.2f} s: {}</li>", 100.0 * (place.stretch - 1.0), place.time_s,
+          escaped(placeInWords(areas_, page_.input, place.triangle)));
+    add("</ol>\n");
+  }
+
+  void charts() {
+    const auto line = [&](const char* name, const char* color, const MotionAlbum& album, const auto& value) {
+      ChartLine result{name, color, {}};
+      for (size_t k = 0; k < album.curve.size(); ++k)
+        result.points.emplace_back(album.curve[k].time_s, value(album, k));
+      return result;
+    };
+    const auto chart = [&](const std::string& title, const auto& value, std::optional<double> limit) {
+      LineChart made{title, "time, s", "", {}, limit, 0.0};
+      if (!page_.before.curve.empty()) made.lines.push_back(line("before", "#c2571a", page_.before, value));
+      made.lines.push_back(line(hasBefore() ? "after" : "run", "#2b6ca3", page_.after, value));
+      out_ += toSvg(made);
+    };
+    using Album = const MotionAlbum&;
+    add("<h2>Over time</h2>\n<div class=\"charts\">");
+    chart(
+        "largest stretch, %", [](Album a, size_t k) { return 100.0 * (a.curve[k].stretch.max - 1.0); },
+        page_.scene.adaption ? std::optional(100.0 * limit_) : std::nullopt);
+    if (page_.scene.adaption)
+      chart(
+          "triangles over the limit, %", [](Album a, size_t k) { return 100.0 * a.curve[k].stretch.share_over_limit; },
+          std::nullopt);
+    chart(
+        "fastest vertex, m/s", [](Album a, size_t k) { return a.curve[k].fastest_m_s; }, std::nullopt);
+    chart(
+        "computing time, s", [](Album a, size_t k) { return a.wall_s[k]; }, std::nullopt);
+    add("</div>\n");
+  }
+
+  void notes() {
+    if (page_.report.warnings.empty() && page_.report.doubts.empty()) return;
+    add("<h2>Asks for attention</h2>\n<ul>");
+    for (const std::string& doubt : page_.report.doubts) add("<li><strong>{}</strong></li>", escaped(doubt));
+    for (const std::string& warning : page_.report.warnings) add("<li>{}</li>", escaped(warning));
+    add("</ul>\n");
+  }
+
+  void madeWith() {
+    std::ifstream file(page_.scene.file);
+    std::ostringstream text;
+    text << file.rdbuf();
+    add("<h2>How to read this</h2>\n<p>Stretch is the larger principal stretch of a triangle, 0 % at rest; grey "
+        "triangles "
+        "are crumpled: sheared over the limit while neither thread is stretched. Pressure is that of the body on the "
+        "cloth; wearers call up to 2 kPa comfortable, and 5.9 to 9.8 kPa is where it hurts (Denton 1972, <cite>Fit, "
+        "Stretch, and Comfort</cite>). Ease is the distance from the body.</p>\n");
+    add("<h2>Made with</h2>\n<p>Ease {}, method {}, time step {:.4g} s, {} vertices, {:.1f} s in "
+        "all.</p>\n<details><summary>"
+        "scene</summary><pre>{}</pre></details>\n",
+        EASE_VERSION, nameOf(page_.scene.solver.method), page_.report.time_step_s, page_.report.vertices,
+        page_.report.total_s, escaped(text.str()));
+  }
+
+  const FitPage& page_;
+  const double limit_;
+  const GarmentAreas areas_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string writeFitPage(const FitPage& page, const std::filesystem::path& directory) {
+  std::optional<PagePictures> pictures;
+  std::string reason;
+  try {
+    pictures.emplace(page.input);
+  } catch (const ComputationError& error) {
+    reason = error.what();
+  }
+  writeWholeFile(directory / "fit.html", Writer(page).html(pictures ? &*pictures : nullptr));
+  return reason;
+}
+
+}  // namespace ease

@@ -1,0 +1,32 @@
+// A chart of lines over time as SVG, for a web page.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ease {
+
+struct ChartLine {
+  std::string name;
+  std::string color;  // of CSS
+  std::vector<std::pair<double, double>> points;
+};
+
+struct LineChart {
+  std::string title, x_title, y_title;  // with units
+  std::vector<ChartLine> lines;
+  std::optional<double> limit;  // a line across
+  double lowest = 0.0;          // value at the bottom
+};
+
+/// The chart as an <svg> element, 460 x 250 units, with ticks at round values. Values that are not finite are left out.
+std::string toSvg(const LineChart& chart);
+
+/// The smallest step of 1, 2 or 5 times a power of ten that divides `range` into at most `count` parts.
+double roundStep(double range, int count);
+
+/// The text with <, >, & and quotes as HTML and SVG want them.
+std::string escaped(const std::string& text);
+
+}  // namespace ease

@@ -1,0 +1,32 @@
+#include "apps/page/line_chart.h"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+using namespace ease;
+using Catch::Matchers::Contains;
+
+TEST_CASE("a chart's steps are round and few") {
+  CHECK(roundStep(1.0, 5) == Approx(0.2));
+  CHECK(roundStep(9.0, 5) == Approx(2.0));
+  CHECK(roundStep(0.013, 5) == Approx(0.005));
+  CHECK(roundStep(600.0, 6) == Approx(100.0));
+}
+
+TEST_CASE("a chart draws its lines from corner to corner, its limit and its words, and leaves out what is not finite") {
+  const LineChart chart{"a < b",
+                        "time, s",
+                        "",
+                        {{"after", "#123456", {{0.0, 0.0}, {1.0, 4.0}, {2.0, 8.0}}},
+                         {"empty", "#654321", {{0.0, std::numeric_limits<double>::quiet_NaN()}}}},
+                        5.0,
+                        0.0};
+  const std::string svg = toSvg(chart);
+  CHECK_THAT(svg, Contains("a &lt; b") && Contains("time, s") && Contains("class=\"limit\"") && Contains(">after<"));
+  CHECK_THAT(svg, Contains("d=\"M52.0 210.0L250.0 ") && Contains("L448.0 "));
+  CHECK_THAT(svg, !Contains("nan") && !Contains(">empty<"));
+}
+
+TEST_CASE("text is escaped for a web page") {
+  CHECK(escaped("a<b> & \"c\"") == "a&lt;b&gt; &amp; &quot;c&quot;");
+}
