@@ -156,18 +156,17 @@ void addWords(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece
 
 std::vector<DrawnPiece> drawPieces(const FlatPattern& pattern, const Allowances& allowances) {
   std::vector<DrawnPiece> drawn;
-  std::vector<SewLine> lines;
+  const std::vector<SewLine> lines = sewLines(pattern, allowances);
   for (int p = 0; p < pattern.cut.pieces.count; ++p) {
-    lines.push_back(sewLine(pattern, p, allowances));
     DrawnPiece piece;
     piece.name = pattern.pieces[p].name;
     piece.source = p;
     piece.axes = paperAxes(pattern, p);
-    for (const SewnEdge& edge : lines.back().edges) {
+    for (const SewnEdge& edge : lines[p].edges) {
       piece.sew_corners.push_back(piece.sew.size());
       piece.sew.insert(piece.sew.end(), edge.points.begin(), edge.points.end() - 1);
     }
-    piece.cut = cutLine(lines.back().edges);
+    piece.cut = cutLine(lines[p].edges);
     drawn.push_back(std::move(piece));
   }
   const std::vector<int> mirror = mirrorPieces(drawn);
