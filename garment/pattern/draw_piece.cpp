@@ -66,7 +66,9 @@ void addDarts(const SewLine& line, DrawnPiece& piece) {
     if (!line.edges[i].is_dart || !line.edges[i + 1].is_dart) continue;
     const PaperPoint p = line.edges[i].points.front(), tip = line.edges[i].points.back(),
                      q = line.edges[i + 1].points.back();
-    piece.lines.push_back({Ink::inner, {p, tip, q}, false});
+    std::vector<PaperPoint> legs = line.edges[i].points;
+    legs.insert(legs.end(), line.edges[i + 1].points.begin() + 1, line.edges[i + 1].points.end());
+    piece.lines.push_back({Ink::inner, legs, false});
     for (const PaperPoint& mouth : {p, q}) addNotch(mouth, (mouth - tip).normalized(), piece);
     const PaperPoint axis = (0.5 * (p + q) - tip).normalized();
     piece.drills.push_back(tip + kDrillBeforeTip * axis);

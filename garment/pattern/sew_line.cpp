@@ -13,6 +13,8 @@ constexpr int kSmoothings = 4;            // of an edge
 constexpr double kCorner = 40.0;          // degrees: sharper bends are corners and stay
 constexpr size_t kBend = 3;               // points on either side by which a bend is measured
 constexpr int kSmoothingsOfOpening = 60;  // of a line along edges of the mesh
+constexpr int kSmoothingsOfDart = 15;     // of a leg that is not straight
+constexpr double kUneven = 3.0;           // mm: legs are straight that are then equally long up to that
 constexpr double kAlike = 2.0;            // mm: how far mirror images may differ
 constexpr int kSamples = 200;             // points along an outline that are compared
 
@@ -52,15 +54,26 @@ std::vector<std::vector<PaperPoint>> smoothEdges(const FlatPattern& pattern) {
   return points;
 }
 
-/// Begins the line with an edge that is not the second leg of a dart, and draws legs straight from mouth to tip.
+/// Begins the line with an edge that is not the second leg of a dart, and draws legs straight from mouth to tip where
+/// both are then nearly equally long; a dart that bends stays bent.
 void straightenDarts(const CutGarment& cut, SewLine& line) {
   const int last = line.numbers.back();
   if (line.edges.front().is_dart && cut.edges[line.numbers.front()].partner == last) {
     std::rotate(line.edges.begin(), line.edges.begin() + 1, line.edges.end());
     std::rotate(line.numbers.begin(), line.numbers.begin() + 1, line.numbers.end());
   }
-  for (SewnEdge& edge : line.edges)
-    if (edge.is_dart) edge.points = {edge.points.front(), edge.points.back()};
+  for (size_t i = 0; i + 1 < line.edges.size(); ++i) {
+    SewnEdge &leg = line.edges[i], &back = line.edges[i + 1];
+    if (!leg.is_dart || cut.edges[line.numbers[i]].partner != line.numbers[i + 1]) continue;
+    const auto straight = [](const SewnEdge& edge) { return (edge.points.back() - edge.points.front()).norm(); };
+    const bool is_straight = std::abs(straight(leg) - straight(back)) < kUneven;
+    for (SewnEdge* edge : {&leg, &back})
+      if (is_straight)
+        edge->points = {edge->points.front(), edge->points.back()};
+      else
+        smooth(kSmoothingsOfDart, std::vector<char>(edge->points.size(), 0), edge->points);
+    ++i;
+  }
 }
 
 /// Points at equal distances along a closed line, beginning at the point `from`.
