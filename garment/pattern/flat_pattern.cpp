@@ -161,6 +161,7 @@ FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& re
   again.mended += flattened.mended;
   again.iterations += flattened.iterations;
   measure(settings, again);
+  again.strains = pattern.strains;
   again.warnings = pattern.warnings;
   for (size_t p = 0; p < again.pieces.size(); ++p) {
     const int flipped = again.pieces[p].strain.flipped;
