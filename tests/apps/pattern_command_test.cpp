@@ -56,7 +56,7 @@ TEST_CASE("the pattern of a garment whose file has it in pieces names the vertic
     sides.replace(at, 5, "'neck'");
   directory.write("split.toml",
                   "body = {builtin = 'mannequin', poses = ['t'], steps = 4}\nsolver = {steps_per_pose = 1}\n"
-                  "garment = {mesh = 'garment/pieces.obj'}\n" +
+                  "[garment]\nmesh = 'garment/pieces.obj'\n" +
                       sides + "[pattern]\ncheck = false\nformats = ['json']\n");
   const Outcome made = runEase(directory, "pattern split.toml -o made");
   INFO(made.err);
