@@ -67,10 +67,10 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
 
 void drawPattern(const Scene& scene, MadePattern& made) {
   made.pieces = drawPieces(made.flat, scene.pattern.allowances);
-  const std::vector<double> lengths = drawnLengths(made.flat);
+  const std::vector<double> lengths = drawnLengths(made.flat.cut, sewLines(made.flat, scene.pattern.allowances));
   for (SeamSides& sides : made.flat.seams) {
-    sides.left_length = lengths[sides.left];
-    sides.right_length = lengths[sides.right];
+    sides.left_length = 1e-3 * lengths[sides.left];
+    sides.right_length = 1e-3 * lengths[sides.right];
   }
   const double width = 1e3 * scene.pattern.fabric_width;
   made.sheet = drawSheet(scene.name, made.pieces, width);

@@ -13,6 +13,7 @@ namespace ease {
 /// A pattern with its drawing and what was measured.
 struct MadePattern {
   FlatPattern flat;
+  std::vector<int> file_vertex;  // of the garment's file, for each vertex of the cut mesh
   std::vector<DrawnPiece> pieces;
   Drawing sheet;
   double cloth_length_mm = 0.0;  // all pieces, mirrored ones twice

@@ -108,7 +108,7 @@ std::string patternJson(const Scene& scene, const MadePattern& made) {
       Json garment_vertices = Json::array();
       Json points = Json::array();
       for (const int v : edge.vertices) {
-        garment_vertices.push_back(flat.cut.pieces.glue[v]);
+        garment_vertices.push_back(made.file_vertex[v]);
         const PaperPoint p = piece.axes * flat.x.row(v).head<2>().transpose() + piece.origin;
         points.push_back({std::round(1e3 * p.x()) / 1e3, std::round(1e3 * p.y()) / 1e3});
       }

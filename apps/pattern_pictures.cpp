@@ -128,7 +128,7 @@ void writeFlatMesh(const MadePattern& made, const std::filesystem::path& file) {
     shear.values.push_back(static_cast<float>(strain.shear * 180.0 / M_PI));
   }
   for (const int p : made.flat.cut.pieces.piece) piece.values.push_back(static_cast<float>(p));
-  for (const int v : made.flat.cut.pieces.glue) glue.values.push_back(static_cast<float>(v));
+  for (const int v : made.file_vertex) glue.values.push_back(static_cast<float>(v));
   frame.triangle_arrays = {warp, weft, shear, piece};
   frame.vertex_arrays = {glue};
   writeVtp(file, mesh.triangles, frame);

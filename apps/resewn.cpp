@@ -13,6 +13,8 @@ namespace ease {
 
 namespace {
 
+constexpr double kExcess = 0.1;  // weight of cloth that is larger on the paper than asked for, while it is let out
+
 /// Where the garment was in the poses, and how far over the limit.
 struct Replayed {
   Positions own;                 // held on the first pose
@@ -146,11 +148,13 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
   if (!result.has_limit) return result;
   const double wanted = std::max(scene.adaption->fit.target, as_designed.over_limit);
   const double first_area = clothArea(pattern);
+  FlatSettings loose = settings;
+  loose.woven.excess = kExcess;
   FlatPattern trial = pattern;
   for (int round = 1; round <= scene.pattern.let_out && as_sewn.over_limit > wanted; ++round) {
     replay.cloth().setRest(numbered(sewnEdges(trial)));
     if (!demand.letOut(replay.cloth())) break;
-    trial = flattenAgain(trial, restored(replay.cloth().restEdges(), numbering.garment.triangles), settings);
+    trial = flattenAgain(trial, restored(replay.cloth().restEdges(), numbering.garment.triangles), loose);
     as_sewn = replay.of(numbered(sewnEdges(trial)), &demand);
     if (as_sewn.over_limit >= result.over_limit) continue;
     pattern = trial;

@@ -20,7 +20,7 @@ struct PatternScene {
   std::string paper = "a4";    // or "letter"
   std::vector<std::string> formats = {"svg", "pdf", "dxf", "json"};
   bool check = true;  // simulate the garment sewn from the pattern
-  int let_out = 4;    // rounds of letting out on the paper, at most
+  int let_out = 8;    // rounds of letting out on the paper, at most
 };
 
 /// Reads [pattern].  Throws InputError as the other tables of a scene do.

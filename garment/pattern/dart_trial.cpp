@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "garment/pattern/outline_crossing.h"
-
 namespace ease {
 namespace {
 
@@ -30,17 +28,20 @@ Trial flattenPart(const Part& part, const std::vector<Seam>& darts, const FlatSe
   woven.max_iterations = iterations;
   woven.tolerance = kTrialTolerance;
   woven.mends = false;
+  const bool is_flat = part.corners.rows() > 0;
   Positions start(flat.vertices, 3);
-  for (int v = 0; v < flat.vertices; ++v)
-    if (part.x.rows() > 0) start.row(v) = part.x.row(cut.pieces.glue[v]);
-  const Flattened flattened = flatten(flat, sewnPairs(cut), woven, part.x.rows() > 0 ? &start : nullptr);
+  for (int c = 0; is_flat && c < part.corners.rows(); ++c)
+    start.row(flat.triangles(c / 3, c % 3)) = part.corners.row(c);
+  const Flattened flattened = flatten(flat, sewnPairs(cut), woven, is_flat ? &start : nullptr);
   const std::vector<ThreadStrain> strains = threadStrains(flat, flattened.x);
   Trial trial;
   trial.badness = badnessOf(flat, strains, flattened.energy, settings.limits);
   trial.strain = strainOf(flat, flattened.x, strains, std::vector<int>(part.rest_edges.size(), 0), 0, settings.limits);
-  trial.is_sound = trial.strain.flipped == 0 && !crossesItself(flat.outlines.front(), flattened.x);
+  trial.is_sound = trial.strain.flipped == 0 && !overlapsItself(cut, 0, flattened.x);
   trial.x.resize(part.mesh.positions.rows(), 3);
   for (int v = 0; v < flat.vertices; ++v) trial.x.row(cut.pieces.glue[v]) = flattened.x.row(v);
+  trial.corners.resize(flat.triangles.size(), 3);
+  for (int c = 0; c < trial.corners.rows(); ++c) trial.corners.row(c) = flattened.x.row(flat.triangles(c / 3, c % 3));
   return trial;
 }
 

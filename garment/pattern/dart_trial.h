@@ -10,7 +10,8 @@ struct Part {
   TriangleMesh mesh;
   std::vector<Mat2> rest_edges;
   std::vector<int> garment_vertex;
-  Positions x;  // in the plane, m
+  Positions x;        // of the vertices in the plane, m; each of a dart's lies on one of its sides
+  Positions corners;  // of corner k of triangle t in row 3 t + k, m: on either side of darts; empty: not flat yet
 };
 
 constexpr double kEnergyWeight = 0.2;  // of the energy beside the area over the limits
@@ -26,7 +27,7 @@ struct Trial {
   Badness badness;
   StrainSummary strain;
   bool is_sound = true;  // neither flipped nor across itself, as where a dart would need more cloth, not less
-  Positions x;           // of the part's vertices (each of a dart's from one of its sides), m
+  Positions x, corners;  // as in Part
 };
 
 /// Flattens a part along darts, given by its own vertices, in at most so many iterations.

@@ -66,7 +66,9 @@ void addDarts(const SewLine& line, DrawnPiece& piece) {
     if (!line.edges[i].is_dart || !line.edges[i + 1].is_dart) continue;
     const PaperPoint p = line.edges[i].points.front(), tip = line.edges[i].points.back(),
                      q = line.edges[i + 1].points.back();
-    piece.lines.push_back({Ink::inner, {p, tip, q}, false});
+    std::vector<PaperPoint> legs = line.edges[i].points;
+    legs.insert(legs.end(), line.edges[i + 1].points.begin() + 1, line.edges[i + 1].points.end());
+    piece.lines.push_back({Ink::inner, legs, false});
     for (const PaperPoint& mouth : {p, q}) addNotch(mouth, (mouth - tip).normalized(), piece);
     const PaperPoint axis = (0.5 * (p + q) - tip).normalized();
     piece.drills.push_back(tip + kDrillBeforeTip * axis);
@@ -156,18 +158,17 @@ void addWords(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece
 
 std::vector<DrawnPiece> drawPieces(const FlatPattern& pattern, const Allowances& allowances) {
   std::vector<DrawnPiece> drawn;
-  std::vector<SewLine> lines;
+  const std::vector<SewLine> lines = sewLines(pattern, allowances);
   for (int p = 0; p < pattern.cut.pieces.count; ++p) {
-    lines.push_back(sewLine(pattern, p, allowances));
     DrawnPiece piece;
     piece.name = pattern.pieces[p].name;
     piece.source = p;
     piece.axes = paperAxes(pattern, p);
-    for (const SewnEdge& edge : lines.back().edges) {
+    for (const SewnEdge& edge : lines[p].edges) {
       piece.sew_corners.push_back(piece.sew.size());
       piece.sew.insert(piece.sew.end(), edge.points.begin(), edge.points.end() - 1);
     }
-    piece.cut = cutLine(lines.back().edges);
+    piece.cut = cutLine(lines[p].edges);
     drawn.push_back(std::move(piece));
   }
   const std::vector<int> mirror = mirrorPieces(drawn);

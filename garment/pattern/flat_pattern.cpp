@@ -6,6 +6,7 @@
 
 #include "garment/pattern/darts.h"
 #include "garment/pattern/outline_crossing.h"
+#include "garment/pattern/overlap.h"
 #include "garment/pattern/piece_names.h"
 
 namespace ease {
@@ -56,7 +57,7 @@ void measure(const FlatSettings& settings, FlatPattern& pattern) {
     const int number = static_cast<int>(p);
     piece.strain =
         strainOf(pattern.flat, pattern.x, pattern.strains, pattern.cut.pieces.piece, number, settings.limits);
-    piece.crosses_itself = crossesItself(pattern.flat.outlines[p], pattern.x);
+    piece.crosses_itself = overlapsItself(pattern.cut, number, pattern.x);
     piece.darts = 0;
     for (const int e : pattern.cut.outlines[p]) piece.darts += isDartLeg(pattern.cut, e) ? 1 : 0;
     piece.darts /= 2;
@@ -100,6 +101,20 @@ bool isDartLeg(const CutGarment& cut, int edge) {
   return leg.vertices.back() == other.vertices.front() || leg.vertices.front() == other.vertices.back();
 }
 
+bool overlapsItself(const CutGarment& cut, int piece, const Positions& x) {
+  std::vector<int> outline;
+  for (const int e : cut.outlines[piece]) {
+    const std::vector<int>& vertices = cut.edges[e].vertices;
+    const bool is_leg = isDartLeg(cut, e);
+    outline.insert(outline.end(), vertices.begin(), is_leg ? vertices.begin() + 1 : vertices.end() - 1);
+    const std::vector<int>& other = cut.edges[std::max(0, cut.edges[e].partner)].vertices;
+    if (!is_leg || vertices.back() != other.front()) continue;
+    const Vec3 in = x.row(vertices.back()) - x.row(vertices.front()), out = x.row(other.back()) - x.row(other.front());
+    if (in.cross(out).z() >= 0.0) return true;
+  }
+  return crossesItself(outline, x);
+}
+
 std::vector<int> outlineOf(const CutGarment& cut, int piece) {
   std::vector<int> outline;
   for (const int e : cut.outlines[piece])
@@ -111,6 +126,9 @@ FlatPattern flattenGarment(const RestGarment& garment, const FlatSettings& setti
   FlatPattern pattern;
   for (const Seam& seam : garment.seams) pattern.lines.push_back({seam, LineKind::seam});
   pattern.lines = makeDisks(garment.mesh, garment.rest_edges, pattern.lines, garment.loops);
+  const size_t asked = pattern.lines.size();
+  pattern.lines = withoutOverlaps(garment, pattern.lines, settings);
+  const size_t mended = pattern.lines.size();
   pattern.lines = withDarts(garment, pattern.lines, settings);
   pattern.cut = cutGarment(garment.mesh, pattern.lines, garment.loops);
   pattern.flat = flatPieces(pattern.cut, garment.rest_edges);
@@ -126,6 +144,11 @@ FlatPattern flattenGarment(const RestGarment& garment, const FlatSettings& setti
     pattern.pieces.push_back(piece);
   }
   measure(settings, pattern);
+  for (size_t l = asked; l < mended; ++l)
+    pattern.warnings.push_back(
+        fmt::format("a piece overlapped itself when flat and was cut in two along '{}': give a seam of your own if it "
+                    "is to be elsewhere",
+                    pattern.lines[l].seam.name));
   return pattern;
 }
 
@@ -138,6 +161,7 @@ FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& re
   again.mended += flattened.mended;
   again.iterations += flattened.iterations;
   measure(settings, again);
+  again.strains = pattern.strains;
   again.warnings = pattern.warnings;
   for (size_t p = 0; p < again.pieces.size(); ++p) {
     const int flipped = again.pieces[p].strain.flipped;

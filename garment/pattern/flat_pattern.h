@@ -1,6 +1,7 @@
 // From a garment at rest to the flat pieces that it can be sewn from.
 //
 //   cut        along the seams, and along the shortest way where a piece is no disk     (cut_garment.h)
+//              and in two where a piece overlaps itself in the plane                    (overlap.h)
 //   darts      where a piece would have to stretch or shear beyond the limits           (darts.h)
 //   flatten    all pieces together, sides of a seam equally long                        (flattening.h)
 //   name       after the loops around a piece and the side of the wearer                (piece_names.h)
@@ -84,6 +85,10 @@ double lengthOf(const std::vector<int>& vertices, const Positions& x);
 
 /// Whether an edge is a leg of a dart: sewn to the edge beside it.
 bool isDartLeg(const CutGarment& cut, int edge);
+
+/// Whether a piece would need the same cloth twice, its darts drawn straight: its outline crosses itself, or the legs
+/// of a dart do not open.
+bool overlapsItself(const CutGarment& cut, int piece, const Positions& x);
 
 /// The vertices of a piece's outline in order.
 std::vector<int> outlineOf(const CutGarment& cut, int piece);

@@ -24,7 +24,8 @@ class Alternation {
         settings_(settings),
         system_(pieces.vertices, pieces.triangles),
         targets_(pieces.rest_edges.size(), Mat32::Zero()),
-        bond_targets_(2 * pairs.size()) {
+        bond_targets_(2 * pairs.size()),
+        overshoot_(pairs.size(), 0.0) {
     std::vector<double> areas, diagonal(pieces.vertices, 0.0);
     for (const Mat2& d : pieces.rest_edges) {
       areas.push_back(0.5 * d.determinant());
@@ -51,9 +52,10 @@ class Alternation {
     });
     for (size_t p = 0; p < pairs_.size(); ++p) {
       const Vec3 a = x.row(pairs_[p].a1) - x.row(pairs_[p].a0), b = x.row(pairs_[p].b1) - x.row(pairs_[p].b0);
-      const double length = 0.5 * (a.norm() + b.norm());
-      bond_targets_[2 * p] = a.normalized() * length;
-      bond_targets_[2 * p + 1] = b.normalized() * length;
+      const double mean = 0.5 * (a.norm() + b.norm());
+      overshoot_[p] += 0.5 * (a.norm() - b.norm());
+      bond_targets_[2 * p] = a.normalized() * std::max(0.0, mean - overshoot_[p]);
+      bond_targets_[2 * p + 1] = b.normalized() * std::max(0.0, mean + overshoot_[p]);
     }
     before_ = x;
     system_.solve(targets_, before_, x, bond_targets_);
@@ -68,6 +70,7 @@ class Alternation {
   std::vector<Mat2> rest_inverse_;
   std::vector<Mat32> targets_;
   std::vector<Vec3> bond_targets_;
+  std::vector<double> overshoot_;  // by pair, m: sum of how much longer than their mean the first edge was
   Positions before_;
 };
 

@@ -16,6 +16,11 @@ bool crossing(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::V
 }
 
 bool crossesItself(const std::vector<int>& outline, const Positions& x) {
+  return !crossings(outline, x).empty();
+}
+
+std::vector<std::pair<size_t, size_t>> crossings(const std::vector<int>& outline, const Positions& x) {
+  std::vector<std::pair<size_t, size_t>> found;
   const size_t n = outline.size();
   const auto at = [&](size_t i) -> Eigen::Vector2d { return x.row(outline[i % n]).head<2>(); };
   std::vector<size_t> order(n);  // edges by their left end: only those that overlap along x can cross
@@ -28,9 +33,9 @@ bool crossesItself(const std::vector<int>& outline, const Positions& x) {
     for (size_t l = k + 1; l < n && left(order[l]) <= right(order[k]); ++l) {
       const size_t i = order[k], j = order[l];
       if ((i + 1) % n == j || (j + 1) % n == i) continue;
-      if (crossing(at(i), at(i + 1), at(j), at(j + 1), s, t)) return true;
+      if (crossing(at(i), at(i + 1), at(j), at(j + 1), s, t)) found.push_back(std::minmax(i, j));
     }
-  return false;
+  return found;
 }
 
 }  // namespace ease

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "garment/pattern/equal_sides.h"
+
 namespace ease {
 namespace {
 
@@ -11,6 +13,8 @@ constexpr int kSmoothings = 4;            // of an edge
 constexpr double kCorner = 40.0;          // degrees: sharper bends are corners and stay
 constexpr size_t kBend = 3;               // points on either side by which a bend is measured
 constexpr int kSmoothingsOfOpening = 60;  // of a line along edges of the mesh
+constexpr int kSmoothingsOfDart = 15;     // of a leg that is not straight
+constexpr double kUneven = 3.0;           // mm: legs are straight that are then equally long up to that
 constexpr double kAlike = 2.0;            // mm: how far mirror images may differ
 constexpr int kSamples = 200;             // points along an outline that are compared
 
@@ -21,10 +25,8 @@ bool isCorner(const std::vector<PaperPoint>& points, size_t i) {
   return a.dot(b) < std::cos(kCorner * M_PI / 180.0) * a.norm() * b.norm();
 }
 
-/// Moves inner points but corners to the middle of their neighbours and themselves, again and again.
-void smooth(int passes, bool keeps_corners, std::vector<PaperPoint>& points) {
-  std::vector<char> stays(points.size(), 1);
-  for (size_t i = 1; i + 1 < points.size(); ++i) stays[i] = keeps_corners && isCorner(points, i) ? 1 : 0;
+/// Moves inner points but those that stay to the middle of their neighbours and themselves, again and again.
+void smooth(int passes, const std::vector<char>& stays, std::vector<PaperPoint>& points) {
   for (int pass = 0; pass < passes; ++pass) {
     const std::vector<PaperPoint> before = points;
     for (size_t i = 1; i + 1 < points.size(); ++i)
@@ -32,13 +34,46 @@ void smooth(int passes, bool keeps_corners, std::vector<PaperPoint>& points) {
   }
 }
 
-/// The tip moved so that both legs of a dart are equally long: onto the line through the middle of its mouth, square
-/// to it.
-PaperPoint middledTip(const PaperPoint& p, const PaperPoint& tip, const PaperPoint& q) {
-  const PaperPoint mouth = q - p;
-  if (mouth.norm() < 1e-9) return tip;
-  const PaperPoint along = mouth.normalized();
-  return tip - along.dot(tip - 0.5 * (p + q)) * along;
+/// The points of every edge of the cut on the paper, mm, smoothed.
+std::vector<std::vector<PaperPoint>> smoothEdges(const FlatPattern& pattern) {
+  const std::vector<PieceEdge>& edges = pattern.cut.edges;
+  std::vector<std::vector<PaperPoint>> points(edges.size());
+  std::vector<std::vector<char>> corners(edges.size());
+  for (size_t e = 0; e < edges.size(); ++e) {
+    const Eigen::Matrix2d axes = paperAxes(pattern, edges[e].piece);
+    for (const int v : edges[e].vertices) points[e].push_back(axes * pattern.x.row(v).head<2>().transpose());
+    for (size_t i = 0; i < points[e].size(); ++i) corners[e].push_back(isCorner(points[e], i) ? 1 : 0);
+  }
+  for (size_t e = 0; e < edges.size(); ++e) {
+    const bool is_zigzag = edges[e].kind == LineKind::opened;
+    std::vector<char> stays(points[e].size(), 0);
+    for (size_t i = 0; i < stays.size() && !is_zigzag; ++i)  // on both sides or on none
+      stays[i] = corners[e][i] && (edges[e].partner < 0 || corners[edges[e].partner][stays.size() - 1 - i]);
+    smooth(is_zigzag ? kSmoothingsOfOpening : kSmoothings, stays, points[e]);
+  }
+  return points;
+}
+
+/// Begins the line with an edge that is not the second leg of a dart, and draws legs straight from mouth to tip where
+/// both are then nearly equally long; a dart that bends stays bent.
+void straightenDarts(const CutGarment& cut, SewLine& line) {
+  const int last = line.numbers.back();
+  if (line.edges.front().is_dart && cut.edges[line.numbers.front()].partner == last) {
+    std::rotate(line.edges.begin(), line.edges.begin() + 1, line.edges.end());
+    std::rotate(line.numbers.begin(), line.numbers.begin() + 1, line.numbers.end());
+  }
+  for (size_t i = 0; i + 1 < line.edges.size(); ++i) {
+    SewnEdge &leg = line.edges[i], &back = line.edges[i + 1];
+    if (!leg.is_dart || cut.edges[line.numbers[i]].partner != line.numbers[i + 1]) continue;
+    const auto straight = [](const SewnEdge& edge) { return (edge.points.back() - edge.points.front()).norm(); };
+    const bool is_straight = std::abs(straight(leg) - straight(back)) < kUneven;
+    for (SewnEdge* edge : {&leg, &back})
+      if (is_straight)
+        edge->points = {edge->points.front(), edge->points.back()};
+      else
+        smooth(kSmoothingsOfDart, std::vector<char>(edge->points.size(), 0), edge->points);
+    ++i;
+  }
 }
 
 /// Points at equal distances along a closed line, beginning at the point `from`.
@@ -80,49 +115,33 @@ Eigen::Matrix2d paperAxes(const FlatPattern& pattern, int piece) {
   return axes;
 }
 
-SewLine sewLine(const FlatPattern& pattern, int piece, const Allowances& allowances) {
-  SewLine line;
-  const Eigen::Matrix2d axes = paperAxes(pattern, piece);
-  for (const int e : pattern.cut.outlines[piece]) {
-    const PieceEdge& edge = pattern.cut.edges[e];
-    SewnEdge drawn;
-    for (const int v : edge.vertices) drawn.points.push_back(axes * pattern.x.row(v).head<2>().transpose());
-    const auto named = allowances.by_name.find(edge.name);
-    drawn.width = kMillimetres * (named != allowances.by_name.end() ? named->second : allowances.all);
-    drawn.is_folded = edge.line < 0;
-    drawn.is_dart = isDartLeg(pattern.cut, e);
-    if (drawn.is_dart) drawn.width = 0.0;
-    const bool is_zigzag = edge.kind == LineKind::opened;
-    smooth(is_zigzag ? kSmoothingsOfOpening : kSmoothings, !is_zigzag, drawn.points);
-    line.edges.push_back(std::move(drawn));
-    line.numbers.push_back(e);
-  }
-  const size_t n = line.edges.size();
-  for (size_t i = 0; i < n; ++i) {  // begin with an edge whose dart, if it is a leg, begins with it
-    const bool is_second = line.edges[0].is_dart && pattern.cut.edges[line.numbers[0]].partner == line.numbers[n - 1];
-    if (!is_second) break;
-    std::rotate(line.edges.begin(), line.edges.begin() + 1, line.edges.end());
-    std::rotate(line.numbers.begin(), line.numbers.begin() + 1, line.numbers.end());
-  }
-  for (size_t i = 0; i + 1 < n; ++i) {
-    SewnEdge &leg = line.edges[i], &back = line.edges[i + 1];
-    if (!leg.is_dart || pattern.cut.edges[line.numbers[i]].partner != line.numbers[i + 1]) continue;
-    const PaperPoint tip = middledTip(leg.points.front(), leg.points.back(), back.points.back());
-    leg.points = {leg.points.front(), tip};
-    back.points = {tip, back.points.back()};
-    ++i;
-  }
-  return line;
+std::vector<SewLine> sewLines(const FlatPattern& pattern, const Allowances& allowances) {
+  const std::vector<PieceEdge>& edges = pattern.cut.edges;
+  std::vector<std::vector<PaperPoint>> points = smoothEdges(pattern);
+  std::vector<SewLine> lines(pattern.cut.outlines.size());
+  for (size_t p = 0; p < lines.size(); ++p)
+    for (const int e : pattern.cut.outlines[p]) {
+      SewnEdge drawn;
+      drawn.points = std::move(points[e]);
+      const auto named = allowances.by_name.find(edges[e].name);
+      drawn.width = kMillimetres * (named != allowances.by_name.end() ? named->second : allowances.all);
+      drawn.is_folded = edges[e].line < 0;
+      drawn.is_dart = isDartLeg(pattern.cut, e);
+      if (drawn.is_dart) drawn.width = 0.0;
+      lines[p].edges.push_back(std::move(drawn));
+      lines[p].numbers.push_back(e);
+    }
+  for (SewLine& line : lines) straightenDarts(pattern.cut, line);
+  makeSidesEqual(pattern.cut, lines);
+  return lines;
 }
 
-std::vector<double> drawnLengths(const FlatPattern& pattern) {
-  std::vector<double> lengths(pattern.cut.edges.size(), 0.0);
-  for (int p = 0; p < pattern.cut.pieces.count; ++p) {
-    const SewLine line = sewLine(pattern, p, Allowances());
+std::vector<double> drawnLengths(const CutGarment& cut, const std::vector<SewLine>& lines) {
+  std::vector<double> lengths(cut.edges.size(), 0.0);
+  for (const SewLine& line : lines)
     for (size_t i = 0; i < line.edges.size(); ++i)
       for (size_t k = 0; k + 1 < line.edges[i].points.size(); ++k)
-        lengths[line.numbers[i]] += (line.edges[i].points[k + 1] - line.edges[i].points[k]).norm() / kMillimetres;
-  }
+        lengths[line.numbers[i]] += (line.edges[i].points[k + 1] - line.edges[i].points[k]).norm();
   return lengths;
 }
 

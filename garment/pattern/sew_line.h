@@ -6,9 +6,9 @@
 
 namespace ease {
 
-/// A piece's edges as they are drawn.  Legs of darts are straight and equally long.  Every other edge is smoothed over
-/// about 2 cm, the same way on both sides of a seam, and lines that were cut to open a piece, which zigzag along edges
-/// of the mesh, over more.  Ends of edges stay.
+/// A piece's edges as they are drawn.  Legs of darts are straight, but for darts that bend.  Every other edge is
+/// smoothed over about 2 cm, the same way on both sides of a seam, and lines that were cut to open a piece, which
+/// zigzag along edges of the mesh, over more.  Both sides of a seam are equally long (equal_sides.h).
 struct SewLine {
   std::vector<SewnEdge> edges;  // in the order of CutGarment::outlines
   std::vector<int> numbers;     // of CutGarment::edges
@@ -17,10 +17,11 @@ struct SewLine {
 /// From (warp, weft), m, to the paper, mm: up on the wearer is up.
 Eigen::Matrix2d paperAxes(const FlatPattern& pattern, int piece);
 
-SewLine sewLine(const FlatPattern& pattern, int piece, const Allowances& allowances);
+/// The sew lines of all pieces.
+std::vector<SewLine> sewLines(const FlatPattern& pattern, const Allowances& allowances);
 
-/// Length of every edge of the cut as it is drawn, m.
-std::vector<double> drawnLengths(const FlatPattern& pattern);
+/// Length of every edge of the cut as it is drawn, mm.
+std::vector<double> drawnLengths(const CutGarment& cut, const std::vector<SewLine>& lines);
 
 /// The point of a drawn edge at a share of the seam's length in the garment; `direction`: along the edge there.
 PaperPoint pointAt(const FlatPattern& pattern, const SewnEdge& drawn, int edge, double share, PaperPoint& direction);

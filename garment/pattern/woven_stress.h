@@ -27,12 +27,27 @@ inline double softShear(double shear, const WovenSettings& settings) {
   return std::clamp(shear, -most, most);
 }
 
+/// By how much cloth is smaller than at rest, as a symmetric tensor: S with its eigenvalues less one, where negative.
+inline Mat2 shortfall(const Mat2& S) {
+  const double mean = 0.5 * (S(0, 0) + S(1, 1)), half = 0.5 * (S(0, 0) - S(1, 1)), radius = std::hypot(half, S(0, 1));
+  const double larger = std::min(0.0, mean + radius - 1.0), smaller = std::min(0.0, mean - radius - 1.0);
+  Mat2 part = 0.5 * (larger + smaller) * Mat2::Identity();
+  if (radius > 0.0) {
+    Mat2 apart;
+    apart << half, S(0, 1), S(0, 1), -half;
+    part += 0.5 * (larger - smaller) / radius * apart;
+  }
+  return part;
+}
+
 /// Per area.
 inline double wovenEnergy(const Mat2& F, const WovenSettings& settings) {
   const Mat2 S = leftPolar(F).S;
   const double u = S(0, 0) - 1.0, v = S(1, 1) - 1.0, soft = softShear(S(0, 1), settings), hard = S(0, 1) - soft;
-  return settings.warp * u * u + settings.weft * v * v +
-         2.0 * (settings.shear * soft * soft + 2.0 * settings.shear * std::abs(soft * hard) + hard * hard);
+  const double woven =
+      settings.warp * u * u + settings.weft * v * v +
+      2.0 * (settings.shear * soft * soft + 2.0 * settings.shear * std::abs(soft * hard) + hard * hard);
+  return settings.excess * woven + (1.0 - settings.excess) * shortfall(S).squaredNorm();
 }
 
 /// Half the derivative of the energy by F, where R is held.
@@ -43,7 +58,7 @@ inline Mat2 wovenStress(const Mat2& F, const WovenSettings& settings) {
   const double shear = settings.shear * soft + (S(0, 1) - soft);
   Mat2 stress;
   stress << settings.warp * (S(0, 0) - 1.0), shear, shear, settings.weft * (S(1, 1) - 1.0);
-  return stress * polar.R;
+  return (settings.excess * stress + (1.0 - settings.excess) * shortfall(S)) * polar.R;
 }
 
 }  // namespace ease

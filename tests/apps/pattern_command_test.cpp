@@ -1,5 +1,8 @@
 // Tests of `ease pattern` (apps/pattern_command.cpp) through the program.
+#include <array>
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/apps/command.h"
 
@@ -33,8 +36,8 @@ TEST_CASE("pattern runs a scene, writes its pattern and how the garment sewn fro
   CHECK(report.at("pieces").size() == 2);
   CHECK(report.at("pieces")[0].at("flipped") == 0);
   CHECK(report.at("seams").size() == 2);
-  for (const auto& seam : report.at("seams")) CHECK(seam.at("difference_mm").get<double>() < 3.0);
-  CHECK(report.at("resewn").at("rms_mm").get<double>() < 8.0);
+  for (const auto& seam : report.at("seams")) CHECK(seam.at("difference_mm").get<double>() < 0.01);
+  CHECK(report.at("resewn").at("rms_mm").get<double>() < 6.0);
   CHECK(report.at("cloth_m2").get<double>() > 0.2);
 
   // The pattern of the finished run, written elsewhere, without simulating it again.
@@ -42,6 +45,38 @@ TEST_CASE("pattern runs a scene, writes its pattern and how the garment sewn fro
   REQUIRE(again.code == 0);
   CHECK_THAT(again.out, !Contains("the scene is run first"));
   CHECK(contentOf(directory.path / "again/pattern.svg") == contentOf(directory.path / "made/pattern.svg"));
+}
+
+TEST_CASE("the pattern of a garment whose file has it in pieces names the vertices of that file") {
+  const TemporaryDirectory directory;
+  directory.write("tube.toml", kTube + kSides);
+  REQUIRE(runEase(directory, "garment tube.toml --pieces -o garment").code == 0);
+  std::string sides = kSides;
+  for (size_t at = sides.find("'top'"); at != std::string::npos; at = sides.find("'top'"))
+    sides.replace(at, 5, "'neck'");
+  directory.write("split.toml",
+                  "body = {builtin = 'mannequin', poses = ['t'], steps = 4}\nsolver = {steps_per_pose = 1}\n"
+                  "[garment]\nmesh = 'garment/pieces.obj'\n" +
+                      sides + "[pattern]\ncheck = false\nformats = ['json']\n");
+  const Outcome made = runEase(directory, "pattern split.toml -o made");
+  INFO(made.err);
+  REQUIRE(made.code == 0);
+  const std::string pieces = contentOf(directory.path / "garment/pieces.obj");
+  std::vector<std::array<double, 3>> vertices;
+  std::istringstream lines(pieces);
+  for (std::string line; std::getline(lines, line);)
+    if (std::array<double, 3> x{}; std::sscanf(line.c_str(), "v %lf %lf %lf", &x[0], &x[1], &x[2]) == 3)
+      vertices.push_back(x);
+  const auto pattern = nlohmann::json::parse(contentOf(directory.path / "made/pattern.json"));
+  int on_hem = 0;
+  for (const auto& outline : pattern.at("outlines"))
+    for (const auto& edge : outline.at("edges"))
+      if (edge.at("name") == "hem")
+        for (const int v : edge.at("garment_vertex")) {
+          CHECK(vertices.at(v)[1] == Approx(0.9).margin(0.01));
+          ++on_hem;
+        }
+  CHECK(on_hem > 20);
 }
 
 TEST_CASE("pattern says in a line what it lacks") {

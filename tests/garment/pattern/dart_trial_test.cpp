@@ -8,7 +8,7 @@ using namespace ease;
 
 TEST_CASE("a cone lies flat along a dart to its tip, and not without") {
   const TriangleMesh mesh = cone(24, 5, 0.5, 0.3, true);
-  const Part part{mesh, restGarment(mesh).rest_edges, {}, {}};
+  const Part part{mesh, restGarment(mesh).rest_edges, {}, {}, {}};
   Seam dart{"", {}, false};
   for (int r = 4; r >= 0; --r) dart.vertices.push_back(1 + 24 * r);
   dart.vertices.push_back(0);
