@@ -13,6 +13,7 @@
 #include "apps/frames.h"
 #include "apps/garment_files.h"
 #include "apps/job.h"
+#include "apps/page/pattern_in_page.h"
 #include "apps/pattern_files.h"
 #include "apps/result_directory.h"
 #include "apps/scene_run.h"
@@ -159,7 +160,9 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
       made.wall_s += std::chrono::duration<double>(Clock::now() - let_out).count();
     }
     for (const std::string& warning : made.flat.warnings) say("warning", warning);
-    fmt::print("{}results   {}\n", writePattern(scene, input, made, directory), directory.string());
+    const std::string summary = writePattern(scene, input, made, directory);
+    showPatternInPage(directory);
+    fmt::print("{}results   {}\n", summary, directory.string());
     return doubtful ? kDoubtful : kDone;
   });
 }

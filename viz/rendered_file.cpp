@@ -6,7 +6,6 @@
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>
 
-
 #include "solver/base/error.h"
 #include "solver/base/whole_file.h"
 #include "viz/offscreen.h"

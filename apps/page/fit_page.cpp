@@ -11,6 +11,7 @@
 #include "apps/page/line_chart.h"
 #include "apps/page/page_pictures.h"
 #include "apps/page/page_style.h"
+#include "apps/page/pattern_in_page.h"
 #include "solver/base/error.h"
 #include "solver/base/whole_file.h"
 
@@ -42,6 +43,7 @@ class Writer {
       if (const ShownMoment* after = momentOfPose(page_.after, static_cast<int>(p))) pose(p, *after, pictures);
     if (page_.input.pose_names.empty() && !page_.after.moments.empty()) pose(0, page_.after.moments.back(), pictures);
     if (pictures && page_.scene.adaption) growth(*pictures);
+    add("{}{}\n", kPatternBegins, kPatternEnds);
     tightest();
     charts();
     notes();

@@ -1,0 +1,40 @@
+#include "apps/page/pattern_in_page.h"
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "solver/base/whole_file.h"
+#include "viz/jpeg.h"
+
+namespace ease {
+
+namespace {
+
+std::string contentOf(const std::filesystem::path& file) {
+  std::ostringstream content;
+  content << std::ifstream(file, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+std::string figureOf(const std::filesystem::path& picture, const std::string& caption) {
+  const std::string bytes = contentOf(picture);
+  if (bytes.empty()) return "";
+  return "<figure><img src=\"" + dataUri(bytes, "image/png") + "\" alt=\"" + caption + "\"><figcaption>" + caption +
+         "</figcaption></figure>\n";
+}
+
+}  // namespace
+
+void showPatternInPage(const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / "fit.html";
+  const std::string page = contentOf(file);
+  const size_t begins = page.find(kPatternBegins), ends = page.find(kPatternEnds);
+  if (begins == std::string::npos || ends == std::string::npos || ends < begins) return;
+  const std::string section = kPatternBegins + std::string("\n<h2>Sewing pattern</h2>\n") +
+                              figureOf(directory / "pattern.png", "pieces") +
+                              figureOf(directory / "pattern_resewn.png", "as designed and as sewn from the pieces");
+  writeWholeFile(file, page.substr(0, begins) + section + page.substr(ends));
+}
+
+}  // namespace ease
