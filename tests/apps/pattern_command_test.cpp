@@ -46,11 +46,11 @@ TEST_CASE("pattern runs a scene, writes its pattern and how the garment sewn fro
 
 TEST_CASE("pattern says in a line what it lacks") {
   const TemporaryDirectory directory;
-  directory.write("seamless.toml", kTube);
+  directory.write("seamless.toml", kTube + "[pattern.cuts]\nmethod = 'none'\n");
   const Outcome seamless = runEase(directory, "pattern seamless.toml");
   CHECK(seamless.code == 1);
   CHECK(isOneLine(seamless.err));
-  CHECK_THAT(seamless.err, Contains("has no [[garment.seam]]"));
+  CHECK_THAT(seamless.err, Contains("has no [[garment.seam]] and [pattern.cuts] method = 'none'"));
 
   const Outcome empty = runEase(directory, "pattern .");
   CHECK(empty.code == 1);
