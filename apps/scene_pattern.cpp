@@ -31,7 +31,7 @@ Allowances readAllowances(const TomlTable& table) {
 }
 
 CutsScene readCuts(const TomlTable& table) {
-  table.allow({"method", "distortion_weight", "length_weight", "steps", "keep", "remove"});
+  table.allow({"method", "distortion_weight", "length_weight", "steps", "keep", "symmetric", "remove"});
   CutsScene cuts;
   cuts.finds = table.choice("method", "variational", {"variational", "none"}) == "variational";
   CutSettings& settings = cuts.settings;
@@ -40,6 +40,12 @@ CutsScene readCuts(const TomlTable& table) {
   settings.flow.weights.length = table.number("length_weight", settings.flow.weights.length, {0.0, 1e4, true, ""});
   settings.flow.steps = table.integer("steps", settings.flow.steps, 0, 100000);
   settings.keep = table.boolean("keep", settings.keep);
+  if (table.has("symmetric") && !table.isBoolean("symmetric")) {
+    settings.is_symmetric = true;
+    settings.plane = table.number("symmetric", 0.0, {-100.0, 100.0, false, "m, or true or false"});
+  } else {
+    settings.is_symmetric = table.boolean("symmetric", false);
+  }
   settings.remove = table.boolean("remove", settings.remove);
   return cuts;
 }

@@ -84,7 +84,7 @@ class Conjugate {
 /// step lowers it.  A region that shrinks to a vertex stays there, because u = 0 on its border holds the surface flat
 /// around it: the flow alone cannot pass this bar.
 std::optional<RegionLevels> joined(const RestSurface& surface, const RegionLevels& levels, double now,
-                                   CutEnergy& energy) {
+                                   CutEnergy& energy, const std::function<void(RegionLevels&)>& project) {
   const RegionMap map = mapOf(surface, levels);
   const Regions regions = connectedRegions(surface, map);
   std::set<std::pair<int, int>> choices;  // region and the label that it would take
@@ -101,6 +101,7 @@ std::optional<RegionLevels> joined(const RestSurface& surface, const RegionLevel
     for (int v = 0; v < surface.vertexCount(); ++v)
       if (regions.of[v] == region) trial.label[v] = label;
     RegionLevels next = redistanced(surface, trial, levels.labels);
+    if (project) project(next);
     const double reached = energy(next);
     if (reached >= now) continue;
     now = reached;
@@ -121,7 +122,7 @@ FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, con
   Conjugate conjugate;
   size_t since = 0;  // number of energies when the last region was joined to another
   const auto join = [&] {
-    std::optional<RegionLevels> next = joined(surface, result.levels, result.energies.back(), energy);
+    std::optional<RegionLevels> next = joined(surface, result.levels, result.energies.back(), energy, project);
     const double reached = energy(next ? *next : result.levels);
     if (!next) return false;
     result.levels = std::move(*next);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "garment/pattern/dart_trial.h"
 #include "garment/pattern/region_chains.h"
@@ -18,6 +19,7 @@ constexpr int kIterations = 120;       // of a trial
 constexpr double kStrictness = 0.6;    // of the limit of the threads, for pieces without a seam
 constexpr double kStrictShare = 0.99;  // of the area
 constexpr double kMoreCloth = 1.25;    // the rectangle around a union, over those around both pieces
+constexpr double kMirrorReach = 0.03;  // m: how far the middles of a seam and of another's image may be apart
 constexpr double kMinSaving = 0.01;    // m of seam
 constexpr double kTolerance = 1e-9;    // m^2, of areas over the limits that are compared
 
@@ -60,12 +62,14 @@ std::map<std::array<int, 2>, std::array<int, 2>> piecesBeside(const RestGarment&
 
 class Removal {
  public:
-  Removal(const RestGarment& garment, size_t kept, const FlatSettings& settings, const SewableSize& size)
+  Removal(const RestGarment& garment, size_t kept, const FlatSettings& settings, const SewableSize& size,
+          std::optional<double> mirror)
       : garment_(garment),
         kept_(garment.seams.begin(), garment.seams.begin() + static_cast<long>(kept)),
         seams_(garment.seams),
         settings_(settings),
-        size_(size) {
+        size_(size),
+        mirror_(mirror) {
     settings_.limits.thread *= kStrictness;
     settings_.limits.share = kStrictShare;
     for (const Seam& seam : kept_) addEdges(seam, kept_edges_);
@@ -78,28 +82,17 @@ class Removal {
   }
 
  private:
+  /// Seams that would go together.
   struct Candidate {
-    size_t seam;
-    std::array<int, 2> pieces;
+    std::vector<size_t> seams;
+    std::set<int> pieces;  // beside them
     double length = 0.0;
-    PieceTrial joined;
     std::optional<double> cost;  // energy per length saved; none: not to be removed
   };
 
   bool removeOne() {
     const Pieces pieces = cutIntoPieces(garment_.mesh, seams_);
-    const auto beside = piecesBeside(garment_, pieces);
-    std::vector<Candidate> candidates;
-    for (size_t s = kept_.size(); s < seams_.size(); ++s) {
-      const std::vector<int>& chain = seams_[s].vertices;
-      const std::array<int, 2> at = beside.at(edgeKey(chain[0], chain[1]));
-      if (at[0] == at[1]) continue;
-      Candidate candidate{s, at, lengthOf(chain, garment_.mesh.positions), {}, {}};
-      if (seams_[s].is_closed)
-        candidate.length +=
-            (garment_.mesh.positions.row(chain.front()) - garment_.mesh.positions.row(chain.back())).norm();
-      candidates.push_back(candidate);
-    }
+    std::vector<Candidate> candidates = candidatesNow(piecesBeside(garment_, pieces));
     if (candidates.empty()) return false;
     std::vector<PieceTrial> alone(pieces.count);
     std::vector<char> is_small(pieces.count, 0);
@@ -107,40 +100,100 @@ class Removal {
       alone[p] = tryPiece(garment_, pieces, p, settings_);
       is_small[p] = isTooSmall(garment_, pieces, p, size_) ? 1 : 0;
     });
-    parallelFor(static_cast<int>(candidates.size()), 1, [&](int i) { tryWithout(alone, is_small, candidates[i]); });
+    const auto mends = [&](const Candidate& candidate) {
+      return std::any_of(candidate.pieces.begin(), candidate.pieces.end(), [&](int p) { return is_small[p] != 0; });
+    };
+    parallelFor(static_cast<int>(candidates.size()), 1,
+                [&](int i) { tryWithout(alone, mends(candidates[i]), candidates[i]); });
     const Candidate* best = nullptr;
-    bool best_is_small = false;
     for (const Candidate& candidate : candidates) {
       if (!candidate.cost) continue;
-      const bool small = is_small[candidate.pieces[0]] || is_small[candidate.pieces[1]];
-      if (best && (best_is_small > small || (best_is_small == small && *best->cost <= *candidate.cost))) continue;
-      best = &candidate;
-      best_is_small = small;
+      const auto rank = [&](const Candidate& c) { return std::pair(!mends(c), *c.cost); };
+      if (!best || rank(candidate) < rank(*best)) best = &candidate;
     }
     if (!best) return false;
-    seams_.erase(seams_.begin() + static_cast<long>(best->seam));
+    seams_ = without(*best);
     chainAnew();
     return true;
   }
 
-  /// Flattens what the pieces on both sides of a chain become without it.
-  void tryWithout(const std::vector<PieceTrial>& alone, const std::vector<char>& is_small, Candidate& candidate) const {
-    std::vector<Seam> without = seams_;
-    without.erase(without.begin() + static_cast<long>(candidate.seam));
-    const Pieces joined = cutIntoPieces(garment_.mesh, without);
-    const std::array<int, 2> at =
-        piecesBeside(garment_, joined)
-            .at(edgeKey(seams_[candidate.seam].vertices[0], seams_[candidate.seam].vertices[1]));
-    candidate.joined = tryPiece(garment_, joined, at[0], settings_);
-    const PieceTrial &p = alone[candidate.pieces[0]], &q = alone[candidate.pieces[1]];
-    const double saved = candidate.length + p.openings + q.openings - candidate.joined.openings;
-    const bool small = is_small[candidate.pieces[0]] || is_small[candidate.pieces[1]];
-    const bool no_worse = small && candidate.joined.badness.over <= p.badness.over + q.badness.over + kTolerance;
-    const auto around = [](const PieceTrial& trial) { return trial.box.prod(); };
-    if (candidate.joined.box.y() > size_.widest || around(candidate.joined) > kMoreCloth * (around(p) + around(q)))
-      return;
-    if (!candidate.joined.is_sound || !(candidate.joined.keeps || no_worse) || saved < kMinSaving) return;
-    candidate.cost = (candidate.joined.badness.energy - p.badness.energy - q.badness.energy) / saved;
+  std::vector<Candidate> candidatesNow(const std::map<std::array<int, 2>, std::array<int, 2>>& beside) const {
+    std::vector<Candidate> candidates;
+    for (size_t s = kept_.size(); s < seams_.size(); ++s) {
+      Candidate candidate{{s}, {}, 0.0, {}};
+      if (const std::optional<size_t> image = mirror_ ? imageOf(s) : std::nullopt; image && *image != s) {
+        if (*image < s) continue;  // tried already
+        candidate.seams.push_back(*image);
+      }
+      bool is_between = true;
+      for (const size_t seam : candidate.seams) {
+        const std::array<int, 2> at = beside.at(firstEdge(seam));
+        is_between = is_between && at[0] != at[1];
+        candidate.pieces.insert(at.begin(), at.end());
+        candidate.length += lengthOfSeam(seams_[seam], garment_.mesh.positions);
+      }
+      if (is_between) candidates.push_back(std::move(candidate));
+    }
+    return candidates;
+  }
+
+  std::array<int, 2> firstEdge(size_t seam) const {
+    return edgeKey(seams_[seam].vertices[0], seams_[seam].vertices[1]);
+  }
+
+  Vec3 middleOf(size_t seam) const {
+    Vec3 middle = Vec3::Zero();
+    for (const int v : seams_[seam].vertices) middle += garment_.mesh.positions.row(v);
+    return middle / static_cast<double>(seams_[seam].vertices.size());
+  }
+
+  /// The seam whose middle is nearest to the mirror image of another's; none within a few centimetres.
+  std::optional<size_t> imageOf(size_t seam) const {
+    Vec3 image = middleOf(seam);
+    image.x() = 2.0 * *mirror_ - image.x();
+    std::optional<size_t> nearest;
+    double least = kMirrorReach;
+    for (size_t s = kept_.size(); s < seams_.size(); ++s)
+      if (const double distance = (middleOf(s) - image).norm(); distance < least) {
+        least = distance;
+        nearest = s;
+      }
+    return nearest;
+  }
+
+  std::vector<Seam> without(const Candidate& candidate) const {
+    std::vector<Seam> seams;
+    for (size_t s = 0; s < seams_.size(); ++s)
+      if (std::find(candidate.seams.begin(), candidate.seams.end(), s) == candidate.seams.end())
+        seams.push_back(seams_[s]);
+    return seams;
+  }
+
+  /// Flattens what the pieces beside a candidate become without it.  `mends`: one of them is too small.
+  void tryWithout(const std::vector<PieceTrial>& alone, bool mends, Candidate& candidate) const {
+    const Pieces joined = cutIntoPieces(garment_.mesh, without(candidate));
+    const auto beside = piecesBeside(garment_, joined);
+    std::set<int> unions;
+    for (const size_t seam : candidate.seams) unions.insert(beside.at(firstEdge(seam))[0]);
+    double saved = candidate.length, energy = 0.0, over = kTolerance, box = 0.0;  // of unions less those of pieces
+    for (const int p : candidate.pieces) {
+      saved += alone[p].openings;
+      energy -= alone[p].badness.energy;
+      over += alone[p].badness.over;
+      box += alone[p].box.prod();
+    }
+    bool keeps_limits = true;
+    for (const int p : unions) {
+      const PieceTrial trial = tryPiece(garment_, joined, p, settings_);
+      if (!trial.is_sound || trial.box.y() > size_.widest) return;
+      saved -= trial.openings;
+      energy += trial.badness.energy;
+      over -= trial.badness.over;
+      box -= trial.box.prod() / kMoreCloth;
+      keeps_limits = keeps_limits && trial.keeps;
+    }
+    if (saved < kMinSaving || box < 0.0 || !(keeps_limits || (mends && over >= 0.0))) return;
+    candidate.cost = energy / saved;
   }
 
   /// Chains that met the removed one become one.
@@ -156,14 +209,15 @@ class Removal {
   std::vector<Seam> seams_;
   FlatSettings settings_;
   const SewableSize size_;
+  const std::optional<double> mirror_;
   EdgeSet kept_edges_;
 };
 
 }  // namespace
 
 std::vector<Seam> neededSeams(const RestGarment& garment, size_t kept, const FlatSettings& settings,
-                              const SewableSize& size) {
-  return Removal(garment, kept, settings, size).run();
+                              const SewableSize& size, std::optional<double> mirror) {
+  return Removal(garment, kept, settings, size, mirror).run();
 }
 
 bool isTooSmall(const RestGarment& garment, const Pieces& pieces, int piece, const SewableSize& size) {

@@ -10,6 +10,8 @@
 // join a neighbour with which they are no further over the limits than both were before.
 #pragma once
 
+#include <optional>
+
 #include "garment/pattern/flat_pattern.h"
 
 namespace ease {
@@ -20,9 +22,10 @@ struct SewableSize {
   double widest = 1.36;  // m: largest width of a piece across the grain
 };
 
-/// The garment's seams without needless ones; the first `kept` stay in any case.
+/// The garment's seams without needless ones; the first `kept` stay in any case.  `mirror`: x of a plane, m, so that a
+/// seam goes only together with its mirror image; none: each by itself.
 std::vector<Seam> neededSeams(const RestGarment& garment, size_t kept, const FlatSettings& settings,
-                              const SewableSize& size);
+                              const SewableSize& size, std::optional<double> mirror = {});
 
 /// Whether a piece is too small or too narrow to sew.
 bool isTooSmall(const RestGarment& garment, const Pieces& pieces, int piece, const SewableSize& size);

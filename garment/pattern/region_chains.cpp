@@ -53,6 +53,10 @@ class ChainWalk {
 
 }  // namespace
 
+double lengthOfSeam(const Seam& seam, const Positions& positions) {
+  return polygonLength(positionsOf(seam.vertices, positions), seam.is_closed);
+}
+
 void addEdges(const Seam& seam, EdgeSet& edges) {
   const size_t n = seam.vertices.size();
   for (size_t i = 0; i + (seam.is_closed ? 0 : 1) < n; ++i)

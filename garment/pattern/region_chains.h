@@ -16,6 +16,9 @@ inline std::array<int, 2> edgeKey(int a, int b) {
 
 using EdgeSet = std::set<std::array<int, 2>>;  // by their ends, the smaller first
 
+/// Length of a seam, m; also that of a closed one.
+double lengthOfSeam(const Seam& seam, const Positions& positions);
+
 /// Adds the edges of a seam.
 void addEdges(const Seam& seam, EdgeSet& edges);
 

@@ -2,20 +2,20 @@
 
 #include <fmt/format.h>
 
+#include "garment/pattern/mirror_levels.h"
 #include "garment/pattern/normal_clusters.h"
+#include "garment/pattern/region_chains.h"
 #include "solver/base/stopwatch.h"
 
 namespace ease {
 namespace {
 
+constexpr double kReach = 2.0;  // mean edge lengths: how far the image of a vertex may be from the surface
+
 double lengthOfSeams(const RestGarment& garment, size_t from) {
   double length = 0.0;
-  for (size_t s = from; s < garment.seams.size(); ++s) {
-    const std::vector<int>& chain = garment.seams[s].vertices;
-    length += lengthOf(chain, garment.mesh.positions);
-    if (garment.seams[s].is_closed)
-      length += (garment.mesh.positions.row(chain.front()) - garment.mesh.positions.row(chain.back())).norm();
-  }
+  for (size_t s = from; s < garment.seams.size(); ++s)
+    length += lengthOfSeam(garment.seams[s], garment.mesh.positions);
   return length;
 }
 
@@ -29,14 +29,22 @@ FoundCuts findCuts(const RestGarment& given, const CutSettings& settings, const 
   const Pieces pieces = cutIntoPieces(garment.mesh, garment.seams);
   const RestSurface surface = restSurface(pieces.mesh, garment.rest_edges);
   const Clusters clusters = normalClusters(surface);
-  const FlowResult flow = followFlow(surface, levelsFrom(surface, clusters.label, clusters.labels), settings.flow);
+  RegionLevels start = levelsFrom(surface, clusters.label, clusters.labels);
+  std::function<void(RegionLevels&)> project;
+  const double plane = settings.plane.value_or(middlePlane(surface));
+  if (settings.is_symmetric) {
+    project = MirrorLevels(surface, plane, kReach * surface.mean_edge);
+    project(start);
+  }
+  const FlowResult flow = followFlow(surface, start, settings.flow, project);
   found.energies = flow.energies;
   found.cut = cutAlongRegions(garment, pieces, surface, mapOf(surface, flow.levels));
   RestGarment& cut = found.cut.garment;
   const size_t kept = garment.seams.size();
   found.length_before = lengthOfSeams(cut, kept);
   found.pieces_before = cutIntoPieces(cut.mesh, cut.seams).count;
-  if (settings.remove) cut.seams = neededSeams(cut, kept, flat, settings.size);
+  const std::optional<double> mirror = settings.is_symmetric ? std::optional<double>(plane) : std::nullopt;
+  if (settings.remove) cut.seams = neededSeams(cut, kept, flat, settings.size, mirror);
   const Pieces last = cutIntoPieces(cut.mesh, cut.seams);
   int small = 0;
   for (int p = 0; p < last.count; ++p) small += isTooSmall(cut, last, p, settings.size) ? 1 : 0;

@@ -6,6 +6,8 @@
 //   remove    seams that woven cloth does not need, and pieces too small to sew   (needless_seams.h)
 #pragma once
 
+#include <optional>
+
 #include "garment/pattern/cut_flow.h"
 #include "garment/pattern/needless_seams.h"
 #include "garment/pattern/region_cut.h"
@@ -16,6 +18,8 @@ struct CutSettings {
   FlowSettings flow;
   bool keep = true;    // the garment's own seams are cut first and stay; else they are forgotten
   bool remove = true;  // needless seams
+  bool is_symmetric = false;
+  std::optional<double> plane;  // x of the plane between left and right, m; none: the one that halves the garment
   SewableSize size;
 };
 
