@@ -155,7 +155,7 @@ FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, con
       for (size_t i = 0; i < next.phi.size(); ++i) next.phi[i] = result.levels.phi[i] - alpha * direction[i];
       if (project) project(next);
       reached = energy(next);
-      is_taken = reached <= now - kArmijo * alpha * slope;
+      is_taken = reached < now && reached <= now - kArmijo * alpha * slope;
     }
     if (!is_taken) {
       if (!join()) break;

@@ -14,8 +14,7 @@ constexpr double kReach = 2.0;  // mean edge lengths: how far the image of a ver
 
 double lengthOfSeams(const RestGarment& garment, size_t from) {
   double length = 0.0;
-  for (size_t s = from; s < garment.seams.size(); ++s)
-    length += lengthOfSeam(garment.seams[s], garment.mesh.positions);
+  for (size_t s = from; s < garment.seams.size(); ++s) length += lengthOfSeam(garment.seams[s], garment.mesh.positions);
   return length;
 }
 

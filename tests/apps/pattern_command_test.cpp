@@ -44,6 +44,19 @@ TEST_CASE("pattern runs a scene, writes its pattern and how the garment sewn fro
   CHECK(contentOf(directory.path / "again/pattern.svg") == contentOf(directory.path / "made/pattern.svg"));
 }
 
+TEST_CASE("pattern finds seams where a scene has none") {
+  const TemporaryDirectory directory;
+  directory.write("tube.toml", kTube + "[pattern]\ncheck = true\n");
+  const Outcome made = runEase(directory, "pattern tube.toml -o made");
+  INFO(made.err);
+  REQUIRE(made.code == 0);
+  CHECK_THAT(made.out, Contains("cuts      found in"));
+  const auto report = nlohmann::json::parse(contentOf(directory.path / "made/report.json")).at("pattern");
+  CHECK(report.at("cuts").at("energy") <= report.at("cuts").at("energy_at_start"));
+  CHECK(report.at("pieces").size() >= 1);
+  CHECK(report.at("resewn").at("rms_mm").get<double>() < 8.0);
+}
+
 TEST_CASE("pattern says in a line what it lacks") {
   const TemporaryDirectory directory;
   directory.write("seamless.toml", kTube + "[pattern.cuts]\nmethod = 'none'\n");
