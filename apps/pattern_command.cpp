@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "apps/commands.h"
+#include "apps/cut_input.h"
 #include "apps/frames.h"
 #include "apps/garment_files.h"
 #include "apps/job.h"
@@ -17,6 +18,7 @@
 #include "apps/pattern_files.h"
 #include "apps/result_directory.h"
 #include "apps/scene_run.h"
+#include "garment/named_loop.h"
 #include "solver/base/error.h"
 #include "viz/vtp_arrays.h"
 
@@ -114,14 +116,17 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
   const int threads = scene.solver.threads;
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   return arena.execute([&] {
-    const SceneInput input = readSceneInput(
+    SceneInput input = readSceneInput(
         scene, [](const std::string& warning) { say("warning", warning); }, nullptr,
         [&] {
           if (interrupted) throw Interrupted();
         });
-    if (input.seams.empty())
-      throw InputError(fmt::format(
-          "{}: [garment] has no [[garment.seam]]: expected seams, along which a pattern is cut", scene.file.string()));
+    const bool finds_cuts = scene.pattern.cuts ? scene.pattern.cuts->finds : input.seams.empty();
+    if (input.seams.empty() && !finds_cuts)
+      throw InputError(
+          fmt::format("{}: [garment] has no [[garment.seam]] and [pattern.cuts] method = 'none': expected seams, along "
+                      "which a pattern is cut, or method = 'variational'",
+                      scene.file.string()));
     const ResultDirectory results(directory);
     bool doubtful = false;
     if (finishedReport(run).is_null()) {
@@ -134,15 +139,24 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
         return kInterrupted;
       }
     }
-    const RestShape rest = readRestShape(run / "rest_shape.vtp", input);
+    RestShape rest = readRestShape(run / "rest_shape.vtp", input);
 
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
     FlatSettings settings{scene.pattern.limits, wovenOf(scene.material, scene.pattern.limits), scene.pattern.max_darts,
                           scene.pattern.names};
-    const RestGarment garment{{rest.positions, input.garment.triangles}, rest.edges, input.seams, input.loops};
+    if (input.loops.empty())
+      input.loops = nameLoops(buildTopology(input.garment, "the garment"), input.garment.positions);
+    RestGarment garment{{rest.positions, input.garment.triangles}, rest.edges, input.seams, input.loops};
     MadePattern made;
     try {
+      if (finds_cuts) {
+        CutSettings cuts = scene.pattern.cuts.value_or(CutsScene()).settings;
+        cuts.size.widest = scene.pattern.fabric_width - 2.0 * scene.pattern.allowances.widest();
+        made.cuts = findCuts(garment, cuts, settings);
+        garment = made.cuts->cut.garment;
+        cutInput(made.cuts->cut, input, rest);
+      }
       made.flat = flattenGarment(garment, settings);
       made.file_vertex = fileVertices(input, made.flat.cut.pieces.glue);
       drawPattern(scene, made);
@@ -159,6 +173,8 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
       drawPattern(scene, made);
       made.wall_s += std::chrono::duration<double>(Clock::now() - let_out).count();
     }
+    if (made.cuts)
+      for (const std::string& warning : made.cuts->warnings) say("warning", warning);
     for (const std::string& warning : made.flat.warnings) say("warning", warning);
     const std::string summary = writePattern(scene, input, made, directory);
     showPatternInPage(directory);

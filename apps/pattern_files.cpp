@@ -46,6 +46,10 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
       "{:.1f} s\n",
       flat.pieces.size(), darts, seams, 1e3 * worst_side, 1e-3 * made.cloth_length_mm, scene.pattern.fabric_width,
       made.wall_s);
+  if (made.cuts)
+    text += fmt::format(
+        "cuts      found in {} steps in {:.1f} s: {} pieces, {:.2f} m of cuts before needless ones were removed\n",
+        made.cuts->energies.size() - 1, made.cuts->wall_s, made.cuts->pieces_before, made.cuts->length_before);
   if (!made.resewn) return text;
   const Resewn& resewn = *made.resewn;
   const auto line = [&](const ResewnPose& pose) {

@@ -7,11 +7,13 @@
 
 #include "apps/resewn.h"
 #include "garment/pattern/flat_pattern.h"
+#include "garment/pattern/variational_cut.h"
 
 namespace ease {
 
 /// A pattern with its drawing and what was measured.
 struct MadePattern {
+  std::optional<FoundCuts> cuts;  // where the program looked for seams
   FlatPattern flat;
   std::vector<int> file_vertex;  // of the garment's file, for each vertex of the cut mesh
   std::vector<DrawnPiece> pieces;

@@ -39,6 +39,15 @@ Json resewnJson(const Resewn& resewn) {
   return json;
 }
 
+Json cutsJson(const FoundCuts& cuts) {
+  return {{"steps", cuts.energies.size() - 1},
+          {"energy_at_start", cuts.energies.front()},
+          {"energy", cuts.energies.back()},
+          {"pieces_before_removal", cuts.pieces_before},
+          {"length_before_removal_m", cuts.length_before},
+          {"wall_s", cuts.wall_s}};
+}
+
 Json figuresOf(const Scene& scene, const MadePattern& made) {
   const FlatPattern& flat = made.flat;
   Json json;
@@ -83,6 +92,7 @@ Json figuresOf(const Scene& scene, const MadePattern& made) {
   json["flipped"] = flipped;
   json["pieces_mended"] = flat.mended;
   if (made.resewn) json["resewn"] = resewnJson(*made.resewn);
+  if (made.cuts) json["cuts"] = cutsJson(*made.cuts);
   json["warnings"] = flat.warnings;
   json["wall_s"] = made.wall_s;
   return json;
@@ -100,6 +110,13 @@ std::string patternJson(const Scene& scene, const MadePattern& made) {
   const FlatPattern& flat = made.flat;
   Json json = {{"scene", scene.name}, {"version", EASE_VERSION}, {"units", "mm"}, {"grain", "along y"}};
   json.update(figuresOf(scene, made));
+  if (made.cuts) {  // vertices of the garment that were not those of its file, as means of those
+    json["cut_vertices"] = Json::array();
+    for (size_t v = 0; v < made.cuts->cut.vertices.size(); ++v)
+      if (const CutVertex& at = made.cuts->cut.vertices[v]; at.share[0] != 1.0)
+        json["cut_vertices"].push_back(
+            {{"garment_vertex", v}, {"of", at.from}, {"share", {at.share[0], at.share[1], at.share[2]}}});
+  }
   json["outlines"] = Json::array();
   for (const DrawnPiece& piece : made.sheet.pieces) {
     Json edges = Json::array();

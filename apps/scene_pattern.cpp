@@ -30,11 +30,31 @@ Allowances readAllowances(const TomlTable& table) {
   return allowances;
 }
 
+CutsScene readCuts(const TomlTable& table) {
+  table.allow({"method", "distortion_weight", "length_weight", "steps", "keep", "symmetric", "remove"});
+  CutsScene cuts;
+  cuts.finds = table.choice("method", "variational", {"variational", "none"}) == "variational";
+  CutSettings& settings = cuts.settings;
+  settings.flow.weights.distortion =
+      table.number("distortion_weight", settings.flow.weights.distortion, {0.0, 1e4, true, ""});
+  settings.flow.weights.length = table.number("length_weight", settings.flow.weights.length, {0.0, 1e4, true, ""});
+  settings.flow.steps = table.integer("steps", settings.flow.steps, 0, 100000);
+  settings.keep = table.boolean("keep", settings.keep);
+  if (table.has("symmetric") && !table.isBoolean("symmetric")) {
+    settings.is_symmetric = true;
+    settings.plane = table.number("symmetric", 0.0, {-100.0, 100.0, false, "m, or true or false"});
+  } else {
+    settings.is_symmetric = table.boolean("symmetric", false);
+  }
+  settings.remove = table.boolean("remove", settings.remove);
+  return cuts;
+}
+
 }  // namespace
 
 PatternScene readPattern(const TomlTable& table) {
   table.allow({"thread_limit", "shear_limit", "share", "darts", "allowance", "fabric_width", "paper", "formats",
-               "piece", "check", "let_out"});
+               "piece", "check", "let_out", "cuts"});
   PatternScene pattern;
   pattern.limits.thread = table.number("thread_limit", pattern.limits.thread, {0.0, 1.0, true, ""});
   const double degrees = table.number("shear_limit", 180.0 / M_PI * pattern.limits.shear, {0.0, 60.0, true, "degrees"});
@@ -54,6 +74,7 @@ PatternScene readPattern(const TomlTable& table) {
       table.refuse("formats", "some of " + listWords(known) + "; '" + format + "' is none of them");
   pattern.check = table.boolean("check", pattern.check);
   pattern.let_out = table.integer("let_out", pattern.let_out, 0, 20);
+  if (const auto cuts = table.table("cuts")) pattern.cuts = readCuts(*cuts);
   for (const TomlTable& piece : table.tables("piece")) {
     piece.allow({"name", "at"});
     if (!piece.has("name")) piece.refuse("name", "a name for the piece, e.g. 'front'");

@@ -1,6 +1,7 @@
 // The scene's table [pattern]: what its sewing pattern is to be like.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,8 +9,15 @@
 #include "garment/pattern/draw_piece.h"
 #include "garment/pattern/flat_pattern.h"
 #include "garment/pattern/paper_tiles.h"
+#include "garment/pattern/variational_cut.h"
 
 namespace ease {
+
+/// The table [pattern.cuts]: seams that the program finds.
+struct CutsScene {
+  bool finds = true;  // method: "variational", else "none"
+  CutSettings settings;
+};
 
 struct PatternScene {
   StrainLimits limits;
@@ -19,8 +27,9 @@ struct PatternScene {
   double fabric_width = 1.40;  // m
   std::string paper = "a4";    // or "letter"
   std::vector<std::string> formats = {"svg", "pdf", "dxf", "json"};
-  bool check = true;  // simulate the garment sewn from the pattern
-  int let_out = 8;    // rounds of letting out on the paper, at most
+  bool check = true;              // simulate the garment sewn from the pattern
+  std::optional<CutsScene> cuts;  // none: seams are found where the garment has none
+  int let_out = 8;                // rounds of letting out on the paper, at most
 };
 
 /// Reads [pattern].  Throws InputError as the other tables of a scene do.

@@ -9,6 +9,7 @@
 //   words              name, number, how often to cut it; along every seam its name
 #pragma once
 
+#include <algorithm>
 #include <map>
 
 #include "garment/pattern/drawing.h"
@@ -20,6 +21,11 @@ namespace ease {
 struct Allowances {
   double all = 0.010;
   std::map<std::string, double> by_name;
+  double widest() const {
+    double width = all;
+    for (const auto& [name, by_its_name] : by_name) width = std::max(width, by_its_name);
+    return width;
+  }
 };
 
 /// One drawing of every piece, each about its own origin.  Of two pieces that are mirror images within 2 mm only the

@@ -79,13 +79,26 @@ TEST_CASE("the pattern of a garment whose file has it in pieces names the vertic
   CHECK(on_hem > 20);
 }
 
+TEST_CASE("pattern finds seams where a scene has none") {
+  const TemporaryDirectory directory;
+  directory.write("tube.toml", kTube + "[pattern]\ncheck = true\n");
+  const Outcome made = runEase(directory, "pattern tube.toml -o made");
+  INFO(made.err);
+  REQUIRE(made.code == 0);
+  CHECK_THAT(made.out, Contains("cuts      found in"));
+  const auto report = nlohmann::json::parse(contentOf(directory.path / "made/report.json")).at("pattern");
+  CHECK(report.at("cuts").at("energy") <= report.at("cuts").at("energy_at_start"));
+  CHECK(report.at("pieces").size() >= 1);
+  CHECK(report.at("resewn").at("rms_mm").get<double>() < 8.0);
+}
+
 TEST_CASE("pattern says in a line what it lacks") {
   const TemporaryDirectory directory;
-  directory.write("seamless.toml", kTube);
+  directory.write("seamless.toml", kTube + "[pattern.cuts]\nmethod = 'none'\n");
   const Outcome seamless = runEase(directory, "pattern seamless.toml");
   CHECK(seamless.code == 1);
   CHECK(isOneLine(seamless.err));
-  CHECK_THAT(seamless.err, Contains("has no [[garment.seam]]"));
+  CHECK_THAT(seamless.err, Contains("has no [[garment.seam]] and [pattern.cuts] method = 'none'"));
 
   const Outcome empty = runEase(directory, "pattern .");
   CHECK(empty.code == 1);

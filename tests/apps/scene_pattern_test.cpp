@@ -43,6 +43,35 @@ TEST_CASE("the keys of [pattern] are read") {
   CHECK(sceneOf(kCloth + "[pattern]\ndarts = false\nallowance = 0.02\n").pattern.max_darts == 0);
 }
 
+TEST_CASE("the keys of [pattern.cuts] are read, and are absent without the table") {
+  CHECK_FALSE(sceneOf(kCloth).pattern.cuts);
+  const CutsScene defaults = *sceneOf(kCloth + "[pattern.cuts]\n").pattern.cuts;
+  CHECK(defaults.finds);
+  CHECK(defaults.settings.flow.weights.distortion == 10.0);
+  CHECK(defaults.settings.flow.weights.length == 5.0);
+  CHECK(defaults.settings.flow.steps == 500);
+  CHECK(defaults.settings.keep);
+  CHECK(defaults.settings.remove);
+  CHECK_FALSE(defaults.settings.is_symmetric);
+  const CutsScene cuts = *sceneOf(kCloth +
+                                  "[pattern.cuts]\nmethod = 'none'\ndistortion_weight = 3\nlength_weight = 2\n"
+                                  "steps = 50\nkeep = false\nsymmetric = 0.01\nremove = false\n")
+                              .pattern.cuts;
+  CHECK_FALSE(cuts.finds);
+  CHECK(cuts.settings.flow.weights.distortion == 3.0);
+  CHECK(cuts.settings.flow.weights.length == 2.0);
+  CHECK(cuts.settings.flow.steps == 50);
+  CHECK_FALSE(cuts.settings.keep);
+  CHECK_FALSE(cuts.settings.remove);
+  CHECK(cuts.settings.is_symmetric);
+  CHECK(cuts.settings.plane == 0.01);
+  CHECK(sceneOf(kCloth + "[pattern.cuts]\nsymmetric = true\n").pattern.cuts->settings.is_symmetric);
+  CHECK_THAT(errorOf(kCloth + "[pattern.cuts]\nmethod = 'tailor'\n"), Contains("variational"));
+  CHECK_THAT(errorOf(kCloth + "[pattern.cuts]\nlength_weight = 0\n"), Contains("length_weight"));
+  CHECK_THAT(errorOf(kCloth + "[pattern.cuts]\nsymmetric = 'yes'\n"), Contains("symmetric"));
+  CHECK_THAT(errorOf(kCloth + "[pattern.cuts]\nstep = 5\n"), Contains("did you mean 'steps'?"));
+}
+
 TEST_CASE("wrong keys of [pattern] are refused with what was expected") {
   CHECK_THAT(errorOf(kCloth + "[pattern]\ndart = true\n"), Contains("did you mean 'darts'?"));
   CHECK_THAT(errorOf(kCloth + "[pattern]\nformats = ['svg', 'hpgl']\n"), Contains("'hpgl' is none of them"));

@@ -1,0 +1,30 @@
+// Levels made symmetric: the wearer's right side (x below the plane) takes those of the left one.
+#pragma once
+
+#include "garment/pattern/region_levels.h"
+
+namespace ease {
+
+class MirrorLevels {
+ public:
+  /// Mirrors in the plane x = `plane`, m.  Vertices whose image is further than `reach` from the surface, m, stay as
+  /// they are, as where a garment has one sleeve only.
+  MirrorLevels(const RestSurface& surface, double plane, double reach);
+
+  void operator()(RegionLevels& levels) const;
+
+ private:
+  /// A vertex takes the mean of those of a triangle near its image.
+  struct Image {
+    int vertex;
+    std::array<int, 3> from;
+    Vec3 share;
+  };
+
+  std::vector<Image> images_;
+};
+
+/// The plane x = ... that halves the area of a surface, m.
+double middlePlane(const RestSurface& surface);
+
+}  // namespace ease

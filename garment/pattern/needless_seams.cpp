@@ -1,0 +1,234 @@
+#include "garment/pattern/needless_seams.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "garment/pattern/dart_trial.h"
+#include "garment/pattern/region_chains.h"
+#include "garment/pattern/region_levels.h"
+#include "solver/base/error.h"
+#include "solver/base/parallel.h"
+
+namespace ease {
+namespace {
+
+constexpr int kIterations = 120;       // of a trial
+constexpr double kStrictness = 0.6;    // of the limit of the threads, for pieces without a seam
+constexpr double kStrictShare = 0.99;  // of the area
+constexpr double kMoreCloth = 1.25;    // the rectangle around a union, over those around both pieces
+constexpr double kMirrorReach = 0.03;  // m: how far the middles of a seam and of another's image may be apart
+constexpr double kMinSaving = 0.01;    // m of seam
+constexpr double kTolerance = 1e-9;    // m^2, of areas over the limits that are compared
+
+/// A piece flattened by itself.
+struct PieceTrial {
+  Badness badness;
+  double openings = 0.0;  // length of the lines along which it had to be opened, m
+  bool is_sound = false, keeps = false;
+  Vec2 box = Vec2::Zero();  // height along and width across the grain, m
+};
+
+PieceTrial tryPiece(const RestGarment& garment, const Pieces& pieces, int piece, const FlatSettings& settings) {
+  PieceTrial result;
+  const Part part = partOf(garment, pieces, piece);
+  std::vector<Seam> openings;
+  Trial trial;
+  try {
+    for (const CutLine& line : makeDisks(part.mesh, part.rest_edges, {}, {})) {
+      openings.push_back(line.seam);
+      result.openings += lengthOf(line.seam.vertices, part.mesh.positions);
+    }
+    trial = flattenPart(part, openings, settings, kIterations);
+  } catch (const InputError&) {  // no disk, and no way to make it one
+    return result;
+  }
+  result.badness = trial.badness;
+  result.is_sound = trial.is_sound;
+  result.keeps = keeps(trial.strain, settings.limits);
+  result.box = (trial.x.colwise().maxCoeff() - trial.x.colwise().minCoeff()).head<2>();
+  return result;
+}
+
+/// The pieces on both sides of every edge between two.
+std::map<std::array<int, 2>, std::array<int, 2>> piecesBeside(const RestGarment& garment, const Pieces& pieces) {
+  std::map<std::array<int, 2>, std::array<int, 2>> beside;
+  for (const Edge& edge : buildTopology(garment.mesh, "the cut garment").edges)
+    if (!edge.isBoundary()) beside[edge.vertex] = {pieces.piece[edge.triangle[0]], pieces.piece[edge.triangle[1]]};
+  return beside;
+}
+
+class Removal {
+ public:
+  Removal(const RestGarment& garment, size_t kept, const FlatSettings& settings, const SewableSize& size,
+          std::optional<double> mirror)
+      : garment_(garment),
+        kept_(garment.seams.begin(), garment.seams.begin() + static_cast<long>(kept)),
+        seams_(garment.seams),
+        settings_(settings),
+        size_(size),
+        mirror_(mirror) {
+    settings_.limits.thread *= kStrictness;
+    settings_.limits.share = kStrictShare;
+    for (const Seam& seam : kept_) addEdges(seam, kept_edges_);
+  }
+
+  std::vector<Seam> run() {
+    while (removeOne()) {
+    }
+    return seams_;
+  }
+
+ private:
+  /// Seams that would go together.
+  struct Candidate {
+    std::vector<size_t> seams;
+    std::set<int> pieces;  // beside them
+    double length = 0.0;
+    std::optional<double> cost;  // energy per length saved; none: not to be removed
+  };
+
+  bool removeOne() {
+    const Pieces pieces = cutIntoPieces(garment_.mesh, seams_);
+    std::vector<Candidate> candidates = candidatesNow(piecesBeside(garment_, pieces));
+    if (candidates.empty()) return false;
+    std::vector<PieceTrial> alone(pieces.count);
+    std::vector<char> is_small(pieces.count, 0);
+    parallelFor(pieces.count, 1, [&](int p) {
+      alone[p] = tryPiece(garment_, pieces, p, settings_);
+      is_small[p] = isTooSmall(garment_, pieces, p, size_) ? 1 : 0;
+    });
+    const auto mends = [&](const Candidate& candidate) {
+      return std::any_of(candidate.pieces.begin(), candidate.pieces.end(), [&](int p) { return is_small[p] != 0; });
+    };
+    parallelFor(static_cast<int>(candidates.size()), 1,
+                [&](int i) { tryWithout(alone, mends(candidates[i]), candidates[i]); });
+    const Candidate* best = nullptr;
+    for (const Candidate& candidate : candidates) {
+      if (!candidate.cost) continue;
+      const auto rank = [&](const Candidate& c) { return std::pair(!mends(c), *c.cost); };
+      if (!best || rank(candidate) < rank(*best)) best = &candidate;
+    }
+    if (!best) return false;
+    seams_ = without(*best);
+    chainAnew();
+    return true;
+  }
+
+  std::vector<Candidate> candidatesNow(const std::map<std::array<int, 2>, std::array<int, 2>>& beside) const {
+    std::vector<Candidate> candidates;
+    for (size_t s = kept_.size(); s < seams_.size(); ++s) {
+      Candidate candidate{{s}, {}, 0.0, {}};
+      if (const std::optional<size_t> image = mirror_ ? imageOf(s) : std::nullopt; image && *image != s) {
+        if (*image < s) continue;  // tried already
+        candidate.seams.push_back(*image);
+      }
+      bool is_between = true;
+      for (const size_t seam : candidate.seams) {
+        const std::array<int, 2> at = beside.at(firstEdge(seam));
+        is_between = is_between && at[0] != at[1];
+        candidate.pieces.insert(at.begin(), at.end());
+        candidate.length += lengthOfSeam(seams_[seam], garment_.mesh.positions);
+      }
+      if (is_between) candidates.push_back(std::move(candidate));
+    }
+    return candidates;
+  }
+
+  std::array<int, 2> firstEdge(size_t seam) const {
+    return edgeKey(seams_[seam].vertices[0], seams_[seam].vertices[1]);
+  }
+
+  Vec3 middleOf(size_t seam) const {
+    Vec3 middle = Vec3::Zero();
+    for (const int v : seams_[seam].vertices) middle += garment_.mesh.positions.row(v);
+    return middle / static_cast<double>(seams_[seam].vertices.size());
+  }
+
+  /// The seam whose middle is nearest to the mirror image of another's; none within a few centimetres.
+  std::optional<size_t> imageOf(size_t seam) const {
+    Vec3 image = middleOf(seam);
+    image.x() = 2.0 * *mirror_ - image.x();
+    std::optional<size_t> nearest;
+    double least = kMirrorReach;
+    for (size_t s = kept_.size(); s < seams_.size(); ++s)
+      if (const double distance = (middleOf(s) - image).norm(); distance < least) {
+        least = distance;
+        nearest = s;
+      }
+    return nearest;
+  }
+
+  std::vector<Seam> without(const Candidate& candidate) const {
+    std::vector<Seam> seams;
+    for (size_t s = 0; s < seams_.size(); ++s)
+      if (std::find(candidate.seams.begin(), candidate.seams.end(), s) == candidate.seams.end())
+        seams.push_back(seams_[s]);
+    return seams;
+  }
+
+  /// Flattens what the pieces beside a candidate become without it.  `mends`: one of them is too small.
+  void tryWithout(const std::vector<PieceTrial>& alone, bool mends, Candidate& candidate) const {
+    const Pieces joined = cutIntoPieces(garment_.mesh, without(candidate));
+    const auto beside = piecesBeside(garment_, joined);
+    std::set<int> unions;
+    for (const size_t seam : candidate.seams) unions.insert(beside.at(firstEdge(seam))[0]);
+    double saved = candidate.length, energy = 0.0, over = kTolerance, box = 0.0;  // of unions less those of pieces
+    for (const int p : candidate.pieces) {
+      saved += alone[p].openings;
+      energy -= alone[p].badness.energy;
+      over += alone[p].badness.over;
+      box += alone[p].box.prod();
+    }
+    bool keeps_limits = true;
+    for (const int p : unions) {
+      const PieceTrial trial = tryPiece(garment_, joined, p, settings_);
+      if (!trial.is_sound || trial.box.y() > size_.widest) return;
+      saved -= trial.openings;
+      energy += trial.badness.energy;
+      over -= trial.badness.over;
+      box -= trial.box.prod() / kMoreCloth;
+      keeps_limits = keeps_limits && trial.keeps;
+    }
+    if (saved < kMinSaving || box < 0.0 || !(keeps_limits || (mends && over >= 0.0))) return;
+    candidate.cost = energy / saved;
+  }
+
+  /// Chains that met the removed one become one.
+  void chainAnew() {
+    EdgeSet edges;
+    for (size_t s = kept_.size(); s < seams_.size(); ++s) addEdges(seams_[s], edges);
+    seams_ = kept_;
+    for (Seam& seam : chainsAlong(garment_.mesh, edges, kept_edges_)) seams_.push_back(std::move(seam));
+  }
+
+  const RestGarment& garment_;
+  const std::vector<Seam> kept_;
+  std::vector<Seam> seams_;
+  FlatSettings settings_;
+  const SewableSize size_;
+  const std::optional<double> mirror_;
+  EdgeSet kept_edges_;
+};
+
+}  // namespace
+
+std::vector<Seam> neededSeams(const RestGarment& garment, size_t kept, const FlatSettings& settings,
+                              const SewableSize& size, std::optional<double> mirror) {
+  return Removal(garment, kept, settings, size, mirror).run();
+}
+
+bool isTooSmall(const RestGarment& garment, const Pieces& pieces, int piece, const SewableSize& size) {
+  const Part part = partOf(garment, pieces, piece);
+  const RestSurface surface = restSurface(part.mesh, part.rest_edges);
+  if (surface.side * surface.side < size.area) return true;
+  std::vector<double> distance(surface.vertexCount(), std::numeric_limits<double>::infinity());
+  for (int v = 0; v < surface.vertexCount(); ++v)
+    if (surface.on_border[v]) distance[v] = 0.0;
+  marchDistances(surface, size.width, distance);
+  return *std::max_element(distance.begin(), distance.end()) < 0.5 * size.width;
+}
+
+}  // namespace ease

@@ -1,0 +1,59 @@
+#include "garment/pattern/variational_cut.h"
+
+#include <fmt/format.h>
+
+#include "garment/pattern/mirror_levels.h"
+#include "garment/pattern/normal_clusters.h"
+#include "garment/pattern/region_chains.h"
+#include "solver/base/stopwatch.h"
+
+namespace ease {
+namespace {
+
+constexpr double kReach = 2.0;  // mean edge lengths: how far the image of a vertex may be from the surface
+
+double lengthOfSeams(const RestGarment& garment, size_t from) {
+  double length = 0.0;
+  for (size_t s = from; s < garment.seams.size(); ++s) length += lengthOfSeam(garment.seams[s], garment.mesh.positions);
+  return length;
+}
+
+}  // namespace
+
+FoundCuts findCuts(const RestGarment& given, const CutSettings& settings, const FlatSettings& flat) {
+  FoundCuts found;
+  const auto begin = std::chrono::steady_clock::now();
+  RestGarment garment = given;
+  if (!settings.keep) garment.seams.clear();
+  const Pieces pieces = cutIntoPieces(garment.mesh, garment.seams);
+  const RestSurface surface = restSurface(pieces.mesh, garment.rest_edges);
+  const Clusters clusters = normalClusters(surface);
+  RegionLevels start = levelsFrom(surface, clusters.label, clusters.labels);
+  std::function<void(RegionLevels&)> project;
+  const double plane = settings.plane.value_or(middlePlane(surface));
+  if (settings.is_symmetric) {
+    project = MirrorLevels(surface, plane, kReach * surface.mean_edge);
+    project(start);
+  }
+  const FlowResult flow = followFlow(surface, start, settings.flow, project);
+  found.energies = flow.energies;
+  found.cut = cutAlongRegions(garment, pieces, surface, mapOf(surface, flow.levels));
+  RestGarment& cut = found.cut.garment;
+  const size_t kept = garment.seams.size();
+  found.length_before = lengthOfSeams(cut, kept);
+  found.pieces_before = cutIntoPieces(cut.mesh, cut.seams).count;
+  const std::optional<double> mirror = settings.is_symmetric ? std::optional<double>(plane) : std::nullopt;
+  if (settings.remove) cut.seams = neededSeams(cut, kept, flat, settings.size, mirror);
+  const Pieces last = cutIntoPieces(cut.mesh, cut.seams);
+  int small = 0;
+  for (int p = 0; p < last.count; ++p) small += isTooSmall(cut, last, p, settings.size) ? 1 : 0;
+  if (small > 0)
+    found.warnings.push_back(fmt::format(
+        "{} of the {} pieces that were found {} smaller than {:g} cm^2 or narrower than {:g} cm: less "
+        "distortion_weight or more length_weight in [pattern.cuts] gives larger ones",
+        small, last.count, small == 1 ? "is" : "are", 1e4 * settings.size.area, 100.0 * settings.size.width));
+  found.wall_s = secondsSince(begin);
+  return found;
+}
+
+}  // namespace ease

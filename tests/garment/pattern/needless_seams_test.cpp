@@ -1,0 +1,45 @@
+#include "garment/pattern/needless_seams.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/garment/pattern/cut_shapes.h"
+
+using namespace ease;
+
+namespace {
+
+Seam column(int n, int i) {
+  Seam seam{"column", {}, false};
+  for (int j = 0; j <= n; ++j) seam.vertices.push_back(j * (n + 1) + i);
+  return seam;
+}
+
+}  // namespace
+
+TEST_CASE("flat cloth needs no seam, but keeps those that were given") {
+  const RestGarment garment =
+      restGarment(bentSheet(8, 1.0, [](double, double) { return 0.0; }), {column(8, 2), column(8, 5)});
+  CHECK(neededSeams(garment, 0, {}, {}).empty());
+  REQUIRE(neededSeams(garment, 1, {}, {}).size() == 1);
+  CHECK(neededSeams(garment, 1, {}, {}).front().name == "column");
+}
+
+TEST_CASE("a piece wider than the cloth keeps its seam") {
+  const RestGarment garment = restGarment(bentSheet(8, 1.0, [](double, double) { return 0.0; }), {column(8, 4)});
+  SewableSize narrow;
+  narrow.widest = 0.8;
+  CHECK(neededSeams(garment, 0, {}, narrow).size() == 1);
+}
+
+TEST_CASE("a strongly bent sheet keeps its seam") {
+  const RestGarment garment =
+      restGarment(bentSheet(12, 0.5, [](double x, double y) { return 3.0 * (x * x + y * y); }), {column(12, 6)});
+  CHECK(neededSeams(garment, 0, {}, {}).size() == 1);
+}
+
+TEST_CASE("narrow and small pieces are told from others") {
+  const RestGarment garment = restGarment(bentSheet(50, 1.0, [](double, double) { return 0.0; }), {column(50, 1)});
+  const Pieces pieces = cutIntoPieces(garment.mesh, garment.seams);
+  REQUIRE(pieces.count == 2);
+  CHECK(isTooSmall(garment, pieces, 0, {}) != isTooSmall(garment, pieces, 1, {}));
+}
