@@ -29,11 +29,6 @@ namespace {
 
 constexpr double kShownStretch = 0.1;  // stretch marked in the pictures of a run without a limit
 
-/// The garment at the start and at the end of a replay.
-struct ShownReplay {
-  ShownGarment start, end;
-};
-
 class Job {
   using Clock = std::chrono::steady_clock;
 
@@ -74,7 +69,11 @@ class Job {
       }
     }
     finishReport();
-    if (!interrupted_ && report_.failure.empty()) writePage();
+    if (!interrupted_ && report_.failure.empty())
+      writeFitPage(
+          {scene_, given_, report_, album_before_, album_after_, restored(first_areas_, numbering_.garment.triangles),
+           restored(cloth_->restAreas(), numbering_.garment.triangles)},
+          directory_);
     if (!report_.failure.empty()) throw ComputationError(report_.failure);
     if (!interrupted_) removeEarlierReport(directory_);
     fmt::print("{}", summaryText(report_));
@@ -103,13 +102,8 @@ class Job {
       paintFirstRest(input_.paint, *cloth_);
     first_areas_ = cloth_->restAreas();
     if (scene_.body) body_.emplace(movingBody(scene_, input_));
-    report_.vertices = cloth_->vertexCount();
-    report_.triangles = cloth_->triangleCount();
-    report_.time_step_s = scene_.solver.time_step;
-    report_.limit = scene_.adaption ? scene_.adaption->limit : 0.0;
-    report_.pose_names = input_.pose_names;
+    describe(scene_, input_, *cloth_, report_);
     if (resume_from_) report_.resumed_from_step = resume_from_->run.done.all;
-    report_.warnings = input_.warnings;
     const long replay_steps = static_cast<long>(timeline(replaySchedule(scene_)).size());
     if (fitsInPasses(scene_))  // at most: all passes, and the check
       progress_.emplace((scene_.adaption->fit.max_passes + 1) *
@@ -118,8 +112,9 @@ class Job {
       progress_.emplace(static_cast<long>(momentsLeft().size()) + (verifies() ? 2 * replay_steps : 0));
   }
 
-  RunWatch watch(const std::string& activity) {
+  RunWatch watch(const std::string& activity, MotionAlbum* album) {
     RunWatch watch;
+    if (album) fillAlbum(watch, given_, numbering_, limit(), album == &album_before_, *album);
     watch.interrupted = &interrupted_;
     watch.on_step = [this, activity](const Moment& moment) {
       progress_->advance(fmt::format("{}, {:.3f} s of motion", activity, moment.time_s));
@@ -129,14 +124,13 @@ class Job {
 
   void adaptingRun() {
     std::optional<SeriesOfRun> series;
-    RunWatch run_watch = watch(scene_.adaption ? "adapting" : "simulating");
+    RunWatch run_watch = watch(scene_.adaption ? "adapting" : "simulating", verifies() ? nullptr : &album_after_);
     if (scene_.output && !momentsLeft().empty()) {  // otherwise only the replays are left
       const double keep_until =
           append_to_series_ ? (resume_from_->run.done.all + 0.5) * resume_from_->time_step_s : -1.0;
       series.emplace(directory_, given_, numbering_, first_areas_, limit(), keep_until);
       run_watch.on_frame = [&](const Snapshot& snapshot) { series->write(snapshot); };
     }
-    if (!verifies()) fillAlbum(run_watch, given_, numbering_, limit(), false, album_after_);
     run_watch.on_checkpoint = [&](const RunState& state) {
       if (series) series->finish();  // frames must be on disk before the checkpoint after them
       writeCheckpoint(directory_ / kCheckpoint, checkpointOf(state));
@@ -176,13 +170,10 @@ class Job {
     FitWatch fit_watch;
     fit_watch.interrupted = &interrupted_;
     fit_watch.of_pass = [&](int pass) {
-      RunWatch run_watch = watch(fmt::format("pass {}", pass));
-      if (pass == 1) fillAlbum(run_watch, given_, numbering_, limit(), true, album_before_);
-      return run_watch;
+      return watch(fmt::format("pass {}", pass), pass == 1 ? &album_before_ : nullptr);
     };
     fit_watch.of_check = [&] {
-      RunWatch run_watch = watch("check");
-      fillAlbum(run_watch, given_, numbering_, limit(), false, album_after_);
+      RunWatch run_watch = watch("check", &album_after_);
       if (!scene_.output) return run_watch;
       series.reset();
       series.emplace(directory_, given_, numbering_, first_areas_, limit());
@@ -239,9 +230,7 @@ class Job {
     cloth_->setRest(rest);
     const RunInput run_input = runInput(scene_, input_, body());
     Run run(runSettings(scene_, replaySchedule(scene_)), run_input, *cloth_);
-    RunWatch run_watch = watch(activity);
-    fillAlbum(run_watch, given_, numbering_, limit(), &album == &album_before_, album);
-    run.run(run_watch);
+    run.run(watch(activity, &album));
     record = run.record();
     replay = shown(rest, run.state().positions);
   }
@@ -255,28 +244,18 @@ class Job {
   /// Shows how the replays began and ended; without replays, how the run ended.
   void drawPictures() {
     const double limit = scene_.adaption ? report_.limit : kShownStretch;
-    const auto draw = [&](const char* name, int pose, const std::vector<ShownColumn>& columns) {
-      const TriangleMesh body = body_ ? TriangleMesh{input_.poses[pose], input_.body_triangles} : TriangleMesh();
-      const std::string reason = drawGarments(directory_ / name, columns, body, limit, report_.doubts);
-      if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
+    const std::vector<int> poses = posesOfMotion(report_.verified ? replaySchedule(scene_) : adaptingSchedule(scene_));
+    const auto body = [&](size_t visit) {
+      return body_ ? TriangleMesh{input_.poses[poses[visit]], input_.body_triangles} : TriangleMesh();
     };
-    const auto last_pose = [](const Schedule& schedule) { return schedule.poses ? posesOfMotion(schedule).back() : 0; };
-    if (report_.verified) {
-      draw("stretch.png", last_pose(replaySchedule(scene_)), {{"before", &before_.end}, {"after", &after_.end}});
-      draw("stretch_first_pose.png", 0, {{"before", &before_.start}, {"after", &after_.start}});
-    } else {
-      const ShownGarment shown = showGarment(*cloth_, end_);
-      draw("stretch.png", last_pose(adaptingSchedule(scene_)), {{"", &shown}});
-    }
-  }
-
-  void writePage() {
-    const std::vector<int>& order = numbering_.garment.triangles;
-    std::vector<double> growth = cloth_->restAreas();
-    for (size_t t = 0; t < growth.size(); ++t) growth[t] /= first_areas_[t];
-    const std::vector<double> areas = restored(first_areas_, order);
-    growth = restored(growth, order);
-    writeFitPage({scene_, given_, report_, album_before_, album_after_, areas, growth}, directory_);
+    const size_t last = poses.empty() ? 0 : poses.size() - 1;
+    const ShownGarment shown = report_.verified ? ShownGarment() : showGarment(*cloth_, end_);
+    const std::vector<std::string> reasons =
+        report_.verified
+            ? drawReplays(directory_, before_, after_, body(last), body(0), limit, report_.doubts)
+            : std::vector{drawGarments(directory_ / "stretch.png", {{"", &shown}}, body(last), limit, report_.doubts)};
+    for (const std::string& reason : reasons)
+      if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
   }
 
   void finishReport() {

@@ -194,6 +194,15 @@ Json toJson(const Report& report, const Scene& scene) {
 
 }  // namespace
 
+void describe(const Scene& scene, const SceneInput& input, const Cloth& cloth, Report& report) {
+  report.vertices = cloth.vertexCount();
+  report.triangles = cloth.triangleCount();
+  report.time_step_s = scene.solver.time_step;
+  report.limit = scene.adaption ? scene.adaption->limit : 0.0;
+  report.pose_names = input.pose_names;
+  report.warnings = input.warnings;
+}
+
 void recordFit(const Fit& fit, double wall_s, Report& report) {
   report.fit = fit.state();
   report.fit_result = fit.result();

@@ -33,6 +33,9 @@ struct Report {
   std::vector<std::string> doubts;  // why the figures say nothing (doubts.h)
 };
 
+/// Fills in what is known before the run: sizes, limit, names of the poses and warnings about the input.
+void describe(const Scene& scene, const SceneInput& input, const Cloth& cloth, Report& report);
+
 /// Records the passes of a fit, and, if it has ended, the replays before and after.  `wall_s`: since the start, s.
 void recordFit(const Fit& fit, double wall_s, Report& report);
 

@@ -44,4 +44,17 @@ std::string drawGarments(const std::filesystem::path& file, const std::vector<Sh
   return drawStretch(file, views, "largest principal stretch", 1.0, 1.0 + 2.0 * limit, 1.0 + limit);
 }
 
+std::vector<std::string> drawReplays(const std::filesystem::path& directory, const ShownReplay& before,
+                                     const ShownReplay& after, const TriangleMesh& last_body,
+                                     const TriangleMesh& first_body, double limit,
+                                     const std::vector<std::string>& doubts) {
+  std::vector<std::string> reasons = {
+      drawGarments(directory / "stretch.png", {{"before", &before.end}, {"after", &after.end}}, last_body, limit,
+                   doubts),
+      drawGarments(directory / "stretch_first_pose.png", {{"before", &before.start}, {"after", &after.start}},
+                   first_body, limit, doubts)};
+  std::erase(reasons, "");
+  return reasons;
+}
+
 }  // namespace ease

@@ -15,6 +15,11 @@ struct ShownGarment {
   std::vector<Stretch> stretch;  // of every triangle
 };
 
+/// The garment at the start and at the end of a replay.
+struct ShownReplay {
+  ShownGarment start, end;
+};
+
 /// Returns the cloth at positions `x`, with its stretch relative to the current rest shape.
 ShownGarment showGarment(const Cloth& cloth, const Positions& x);
 
@@ -29,5 +34,12 @@ struct ShownColumn {
 /// the largest stretch would.  Returns an empty string, or the reason why no picture could be made.
 std::string drawGarments(const std::filesystem::path& file, const std::vector<ShownColumn>& columns,
                          const TriangleMesh& body, double limit, const std::vector<std::string>& doubts);
+
+/// Draws how two replays ended, stretch.png, and began, stretch_first_pose.png, each on the body of that moment.
+/// Returns the reasons why pictures could not be made.
+std::vector<std::string> drawReplays(const std::filesystem::path& directory, const ShownReplay& before,
+                                     const ShownReplay& after, const TriangleMesh& last_body,
+                                     const TriangleMesh& first_body, double limit,
+                                     const std::vector<std::string>& doubts);
 
 }  // namespace ease

@@ -28,7 +28,9 @@ class Writer {
   explicit Writer(const FitPage& page)
       : page_(page),
         limit_(page.scene.adaption ? page.report.limit : kShownStretch),
-        areas_(garmentAreas(page.scene, page.input)) {}
+        areas_(garmentAreas(page.scene, page.input)) {
+    for (size_t t = 0; t < page.rest_areas.size(); ++t) growth_.push_back(page.rest_areas[t] / page.first_areas[t]);
+  }
 
   std::string html(PagePictures* pictures) {
     out_ = fmt::format(
@@ -171,9 +173,9 @@ class Writer {
   }
 
   void table(const ShownMoment* before, const ShownMoment& after) {
-    const auto figures = areaFigures(areas_, page_.input, after, page_.first_areas, page_.growth);
+    const auto figures = areaFigures(areas_, page_.input, after, page_.first_areas, growth_);
     std::vector<AreaFigures> earlier;
-    if (before) earlier = areaFigures(areas_, page_.input, *before, page_.first_areas, page_.growth);
+    if (before) earlier = areaFigures(areas_, page_.input, *before, page_.first_areas, growth_);
     add("<div class=\"wide\"><table><tr><th>part</th><th>cloth, cm²</th>{}{}<th>largest stretch</th><th>over the "
         "limit</th>"
         "<th>largest pressure, kPa</th><th>ease, mean mm</th></tr>\n",
@@ -194,7 +196,7 @@ class Writer {
   }
 
   void growth(PagePictures& pictures) {
-    const std::vector<float> values(page_.growth.begin(), page_.growth.end());
+    const std::vector<float> values(growth_.begin(), growth_.end());
     const double most = std::max(1.2, std::ceil(10.0 * *std::max_element(values.begin(), values.end())) / 10.0);
     const ShownValue value{"Growth", "%", 100.0, {1.0, most, most}, {}};
     add("<h2>Where cloth was added</h2>\n<p>Area of the rest shape over that of the garment as it was.</p>");
@@ -268,6 +270,7 @@ class Writer {
   const FitPage& page_;
   const double limit_;
   const GarmentAreas areas_;
+  std::vector<double> growth_;  // area of each triangle of the rest shape over that of the first
   std::string out_;
 };
 

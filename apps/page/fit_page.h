@@ -16,10 +16,10 @@ struct FitPage {
   const Scene& scene;
   const SceneInput& input;
   const Report& report;
-  const MotionAlbum& before;               // on the first rest shape; empty where there was no such replay
-  const MotionAlbum& after;                // on the rest shape that is delivered
-  const std::vector<double>& first_areas;  // of the triangles of the first rest shape, m^2
-  const std::vector<double>& growth;       // area of each triangle of the rest shape over that
+  const MotionAlbum& before;              // on the first rest shape; empty where there was no such replay
+  const MotionAlbum& after;               // on the rest shape that is delivered
+  const std::vector<double> first_areas;  // of the triangles of the first rest shape, m^2
+  const std::vector<double> rest_areas;   // of those of the rest shape, m^2
 };
 
 /// Writes fit.html into the directory.  Returns an empty string, or the reason why there are no pictures in it.  Throws
