@@ -27,7 +27,7 @@ std::vector<AreaFigures> areaFigures(const GarmentAreas& areas, const SceneInput
       if (moment.distance.empty()) continue;
       for (int corner = 0; corner < 3; ++corner) {
         const int v = input.garment.triangles(t, corner);
-        area.max_pressure_Pa = std::max<double>(area.max_pressure_Pa, moment.pressure[v]);
+        if (!moment.pressure.empty()) area.max_pressure_Pa = std::max<double>(area.max_pressure_Pa, moment.pressure[v]);
         area.mean_distance_m += moment.distance[v];
         corners[a] += 1.0;
       }

@@ -41,9 +41,13 @@ class Writer {
         escaped(page_.scene.name), kPageStyle);
     verdict();
     if (pictures) motion(*pictures);
-    for (size_t p = 0; p < page_.input.pose_names.size(); ++p)
-      if (const ShownMoment* after = momentOfPose(page_.after, static_cast<int>(p))) pose(p, *after, pictures);
-    if (page_.input.pose_names.empty() && !page_.after.moments.empty()) pose(0, page_.after.moments.back(), pictures);
+    for (size_t p = 0; p < page_.input.pose_names.size(); ++p) {
+      const int number = static_cast<int>(p);
+      if (const ShownMoment* after = momentOfPose(page_.after, number))
+        moment("Pose " + page_.input.pose_names[p], momentOfPose(page_.before, number), *after, pictures);
+    }
+    if (!page_.after.moments.empty() && page_.after.moments.back().pose < 0)
+      moment("At the end", hasBefore() ? &page_.before.moments.back() : nullptr, page_.after.moments.back(), pictures);
     if (pictures && page_.scene.adaption) growth(*pictures);
     add("{}{}\n", kPatternBegins, kPatternEnds);
     tightest();
@@ -153,23 +157,23 @@ class Writer {
     add("</div>\n");
   }
 
-  void pose(size_t p, const ShownMoment& after, PagePictures* pictures) {
-    add("<h2>{}</h2>\n",
-        p < page_.input.pose_names.size() ? "Pose " + escaped(page_.input.pose_names[p]) : "At the end");
-    const ShownMoment* before = momentOfPose(page_.before, static_cast<int>(p));
+  void moment(const std::string& title, const ShownMoment* before, const ShownMoment& after, PagePictures* pictures) {
+    add("<h2>{}{}</h2>\n", escaped(title), after.time_s > 0.0 ? "" : ", before the first time step");
     table(before, after);
     if (!pictures) return;
+    const char* when = hasBefore() ? "after" : "as simulated";
     add("<h3>Stretch</h3>");
     legend(stretch());
-    if (before) row(*pictures, "before", *before, before->sigma_1, stretchScale());
-    row(*pictures, hasBefore() ? "after" : "as simulated", after, after.sigma_1, stretchScale());
-    if (after.pressure.empty()) return;
-    for (const ShownValue& value : {pressure(), distance()}) {
+    if (before && before->time_s > 0.0) row(*pictures, "before", *before, before->sigma_1, stretchScale());
+    row(*pictures, when, after, after.sigma_1, stretchScale());
+    const auto show = [&](const ShownValue& value, const std::vector<float>& values) {
+      if (values.empty()) return;
       add("<h3>{}</h3>", value.title);
       legend(value);
-      row(*pictures, hasBefore() ? "after" : "as simulated", after,
-          value.unit == "mm" ? after.distance : after.pressure, value.scale);
-    }
+      row(*pictures, when, after, values, value.scale);
+    };
+    show(pressure(), after.pressure);
+    show(distance(), after.distance);
   }
 
   void table(const ShownMoment* before, const ShownMoment& after) {
@@ -187,10 +191,9 @@ class Writer {
       if (page_.scene.adaption) add("<td>{:+.1f} %</td>", 100.0 * (f.cloth_growth - 1.0));
       if (before) add("<td>{:.1f} %</td>", 100.0 * (earlier[a].max_stretch - 1.0));
       add("<td>{:.1f} %</td><td>{}</td>", 100.0 * (f.max_stretch - 1.0), percent(f.share_over_limit));
-      if (after.pressure.empty())
-        add("<td>–</td><td>–</td></tr>\n");
-      else
-        add("<td>{:.2f}</td><td>{:.1f}</td></tr>\n", 1e-3 * f.max_pressure_Pa, 1e3 * f.mean_distance_m);
+      out_ += after.pressure.empty() ? "<td>–</td>" : fmt::format("<td>{:.2f}</td>", 1e-3 * f.max_pressure_Pa);
+      out_ += after.distance.empty() ? "<td>–</td>" : fmt::format("<td>{:.1f}</td>", 1e3 * f.mean_distance_m);
+      add("</tr>\n");
     }
     add("</table></div>\n");
   }

@@ -89,8 +89,8 @@ std::string toSvg(const LineChart& chart) {
                             at_y(std::max(point.second, y.low)));
     if (path.empty()) continue;
     svg += fmt::format("<path class=\"line\" stroke=\"{}\" d=\"{}\"/>\n", line->color, path);
-    svg += fmt::format("<text x=\"{:.0f}\" y=\"16\" text-anchor=\"end\" fill=\"{}\">{}</text>\n", name_x, line->color,
-                       escaped(line->name));
+    svg += fmt::format("<text x=\"{:.0f}\" y=\"16\" text-anchor=\"end\" style=\"fill:{}\">{}</text>\n", name_x,
+                       line->color, escaped(line->name));
     name_x -= 8.0 * static_cast<double>(line->name.size()) + 12.0;
   }
   return svg + "</svg>\n";

@@ -25,8 +25,10 @@ ShownMoment shownMoment(const Snapshot& shot, const SceneInput& given, const Inp
   moment.sigma_1 = restored(moment.sigma_1, numbering.garment.triangles, 1);
   moment.over = restored(moment.over, numbering.garment.triangles, 1);
   if (shot.gap.empty()) return moment;
-  moment.pressure.assign(shot.pressure.begin(), shot.pressure.end());
-  moment.pressure = restored(moment.pressure, numbering.garment.vertices, 1);
+  if (shot.moment.time_s > 0.0) {
+    moment.pressure.assign(shot.pressure.begin(), shot.pressure.end());
+    moment.pressure = restored(moment.pressure, numbering.garment.vertices, 1);
+  }
   moment.distance.assign(shot.gap.begin(), shot.gap.end());
   moment.distance = restored(moment.distance, numbering.garment.vertices, 1);
   for (size_t v = 0; v < moment.distance.size(); ++v) moment.distance[v] += static_cast<float>(given.offsets[v]);

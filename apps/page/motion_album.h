@@ -17,7 +17,7 @@ struct ShownMoment {
   Positions garment, body;      // m; the body is empty without one
   std::vector<float> sigma_1;   // of every triangle, larger principal stretch; NaN where it is crumpled
   std::vector<float> over;      // of every triangle: 1 over the limit, 0 within
-  std::vector<float> pressure;  // of the body on every vertex, Pa; empty without a body
+  std::vector<float> pressure;  // of the body on every vertex, Pa; empty without a body and before the first step
   std::vector<float> distance;  // of every vertex to the body, m; empty without a body
 };
 

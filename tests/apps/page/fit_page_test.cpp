@@ -51,7 +51,7 @@ TEST_CASE("the page of a fit holds its pictures, tables, charts and scene, and a
     WARN("pictures skipped: " << run.err);
     return;
   }
-  CHECK(count(page, "<figure") >= 2 * 4 * 4 + 4 + 10);
+  CHECK(count(page, "<figure") >= 4 * (2 + 4 + 1) + 10);
   if (std::system("command -v chromium >/dev/null") != 0) {
     WARN("Chromium is not installed: the page was not opened");
     return;
