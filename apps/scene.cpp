@@ -27,9 +27,24 @@ constexpr double kPassTimeStep = 0.0125;  // s
 constexpr double kPassTolerance = 0.2;
 constexpr double kPassCompression = 0.05;  // wrinkles finer than the triangles (docs/numerics.md)
 
+/// Measures of the built-in body: the height first, since the others are judged by it.
+BodyMeasures readMeasures(const TomlTable& table) {
+  BodyMeasures measures;
+  const auto read = [&](const char* key, std::optional<double>& measure) {
+    if (!table.has(key)) return;
+    const MeasureRange range = BodySize::range(measures, key);
+    measure = table.number(key, 0.0, {range.low, range.high, false, "m"});
+  };
+  read("height", measures.height);
+  read("chest", measures.chest);
+  read("waist", measures.waist);
+  read("hips", measures.hips);
+  return measures;
+}
+
 BodyScene readBody(const TomlTable& table, const std::filesystem::path& folder) {
-  table.allow(
-      {"poses", "builtin", "seconds_per_pose", "steps", "match", "unit", "up", "facing", "weld", "holes", "align"});
+  table.allow({"poses", "builtin", "seconds_per_pose", "steps", "match", "unit", "up", "facing", "weld", "holes",
+               "align", "height", "chest", "waist", "hips"});
   if (table.has("steps") && table.has("seconds_per_pose"))
     table.refuse("steps", "either seconds_per_pose or steps, not both");
   BodyScene body;
@@ -50,10 +65,13 @@ BodyScene readBody(const TomlTable& table, const std::filesystem::path& folder) 
     body.weld = table.boolean("weld", body.weld);
     body.close_all = table.choice("holes", "far", {"far", "close"}) == "close";
     if (table.has("align")) body.align = table.boolean("align", true);
+    for (const char* key : {"height", "chest", "waist", "hips"})
+      if (table.has(key)) table.refuse(key, "builtin = 'mannequin' for it: pose files have their measures");
     return body;
   }
   for (const char* key : {"unit", "up", "facing", "weld", "holes", "align", "match"})
     if (table.has(key)) table.refuse(key, "pose files for it: the mannequin is as it should be");
+  body.measures = readMeasures(table);
   for (const std::string& pose : body.poses) {
     const std::vector<std::string>& known = mannequinPoses();
     if (std::find(known.begin(), known.end(), pose) == known.end())

@@ -13,6 +13,7 @@
 #include "adaption/fit.h"
 #include "apps/mesh_frame.h"
 #include "apps/scene_pattern.h"
+#include "collision/body/body_size.h"
 #include "garment/authoring.h"
 #include "solver/base/error.h"
 #include "solver/mesh/numbering.h"
@@ -23,6 +24,7 @@ namespace ease {
 struct BodyScene {
   std::vector<std::string> poses;  // mesh files relative to the scene file, or names of the built-in body's poses
   std::string builtin;             // "mannequin"; empty: the poses are read from files
+  BodyMeasures measures;           // of the built-in body
   int steps =
       Schedule().interpolation_steps;  // interpolation steps from one pose to the next; a single pose is held this long
   bool match_triangles = false;        // match = "triangles": match the poses' vertices by their triangles

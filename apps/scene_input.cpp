@@ -38,7 +38,7 @@ void makeBuiltinPoses(const Scene& scene, const Pause& pause, SceneInput& input)
       continue;
     }
     pauseIn(pause);
-    TriangleMesh pose = mannequin(name);
+    TriangleMesh pose = mannequin(name, scene.body->measures);
     input.body_triangles = std::move(pose.triangles);
     input.poses.push_back(std::move(pose.positions));
   }
@@ -98,7 +98,7 @@ std::string readGarment(const Scene& scene, double offset, const Warn& warn, con
     return name;
   }
   if (!garment.builtin.empty()) {
-    input.garment = builtinGarment(garment.builtin, garment.vertices, offset);
+    input.garment = builtinGarment(garment.builtin, garment.vertices, offset, scene.body->measures);
     drawSeams(scene, "the built-in garment", input);
     return fmt::format("{}: [garment] builtin = '{}'", scene.file.string(), garment.builtin);
   }

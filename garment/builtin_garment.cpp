@@ -90,7 +90,7 @@ TriangleMesh cutGarment(const DistanceField& field, const Pattern& pattern, cons
 
 }  // namespace
 
-TriangleMesh builtinGarment(const std::string& name, int vertices, double offset) {
+TriangleMesh builtinGarment(const std::string& name, int vertices, double offset, const BodyMeasures& measures) {
   const Pattern pattern = findPattern(name);
   if (vertices < kMinVertices || vertices > kMaxVertices)
     throw InputError(fmt::format("built-in garment \"{}\": vertices = {}, expected {} to {}", name, vertices,
@@ -99,13 +99,17 @@ TriangleMesh builtinGarment(const std::string& name, int vertices, double offset
     throw InputError(
         fmt::format("built-in garment \"{}\": offset = {} m, expected 0 to {} m", name, offset, kWidestOffset));
 
-  const DistanceField field = garmentField(pattern, offset);
-  const std::vector<Plane> cuts = cutsOf(pattern, offset);
+  const BodySize size(measures);
+  const double own_offset = offset / size.minScale();  // on the mannequin's own size: at least `offset` in this one
+  const DistanceField field = garmentField(pattern, own_offset);
+  const std::vector<Plane> cuts = cutsOf(pattern, own_offset);
   const double rough_edge = std::sqrt(1.0 / vertices);  // m: edge length for about a square metre of cloth
   const TriangleMesh uniform = cutGarment(field, pattern, cuts, std::clamp(rough_edge, 0.006, 0.016));
   TriangleMesh garment = remeshedTo(uniform, vertices, fmt::format("built-in garment \"{}\"", name));
   settleOnSurface(field, cuts, garment);
-  keepClear(mannequinDistance, cuts, offset, garment);
+  keepClear(mannequinDistance, cuts, own_offset, garment);
+  for (int v = 0; v < garment.positions.rows(); ++v)
+    garment.positions.row(v) = size.height() * size.warped(garment.positions.row(v));
   return garment;
 }
 

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "collision/body/body_size.h"
 #include "solver/mesh/triangle_mesh.h"
 
 namespace ease {
@@ -13,7 +14,7 @@ namespace ease {
 /// Makes the garment called "t-shirt" or "dress" with `vertices` vertices (300 to 100,000; met within 3 %), evenly
 /// sized triangles and four boundary loops that lie in planes.  Every vertex, edge midpoint and centroid is at least
 /// `offset` (m, 0 to 0.05) outside the mannequin's T-pose.  Throws InputError naming an unknown garment or an
-/// impossible number.
-TriangleMesh builtinGarment(const std::string& name, int vertices, double offset);
+/// impossible number.  `measures`: of the mannequin that wears it.
+TriangleMesh builtinGarment(const std::string& name, int vertices, double offset, const BodyMeasures& measures = {});
 
 }  // namespace ease

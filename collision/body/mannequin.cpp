@@ -34,13 +34,14 @@ const std::vector<ArmPose> kPoses = {
 };
 
 /// Turns of the joints from the trunk outwards; each joint is at its place in the T-pose.
-std::vector<FadingTurn> armTurns(const ArmPose& pose) {
+std::vector<FadingTurn> armTurns(const ArmPose& pose, const BodySize& size) {
   using namespace mannequin_joints;
   const Vec3 outwards = Vec3::UnitX();
   return {
-      {kClavicle, outwards, kDegree * pose.clavicle, 20 * kDegree, 76 * kDegree, 56 * kDegree, 0.10, 0.40},
-      {kShoulder, outwards, kDegree * pose.shoulder, 16 * kDegree, 136 * kDegree, 76 * kDegree, 0.05, 0.21},
-      {kElbow, outwards, kDegree * pose.elbow, 20 * kDegree, 140 * kDegree, 45 * kDegree, 0.06, 0.30},
+      {size.warped(kClavicle), outwards, kDegree * pose.clavicle, 20 * kDegree, 76 * kDegree, 56 * kDegree, 0.10, 0.40},
+      {size.warped(kShoulder), outwards, kDegree * pose.shoulder, 16 * kDegree, 136 * kDegree, 76 * kDegree, 0.05,
+       0.21},
+      {size.warped(kElbow), outwards, kDegree * pose.elbow, 20 * kDegree, 140 * kDegree, 45 * kDegree, 0.06, 0.30},
   };
 }
 
@@ -74,17 +75,18 @@ const std::vector<std::string>& mannequinPoses() {
   return names;
 }
 
-TriangleMesh mannequin(const std::string& pose) {
+TriangleMesh mannequin(const std::string& pose, const BodyMeasures& measures) {
   const auto found = std::find_if(kPoses.begin(), kPoses.end(), [&](const ArmPose& p) { return p.name == pose; });
   if (found == kPoses.end())
     throw InputError(fmt::format("the mannequin has no pose \"{}\"; its poses are \"{}\"", pose,
                                  fmt::join(mannequinPoses(), "\", \"")));
   TriangleMesh mesh = restMannequin();
-  const std::vector<FadingTurn> turns = armTurns(*found);
+  const BodySize size(measures);
+  const std::vector<FadingTurn> turns = armTurns(*found, size);
   parallelFor(static_cast<int>(mesh.positions.rows()), 256, [&](int v) {
-    const Vec3 x = mesh.positions.row(v);
+    const Vec3 x = size.warped(mesh.positions.row(v));
     const Vec3 side(x.x() < 0.0 ? -1.0 : 1.0, 1.0, 1.0);
-    mesh.positions.row(v) = posed(turns, x.cwiseProduct(side)).cwiseProduct(side);
+    mesh.positions.row(v) = size.height() * posed(turns, x.cwiseProduct(side)).cwiseProduct(side);
   });
   return mesh;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "collision/body/body_size.h"
 #include "solver/mesh/triangle_mesh.h"
 
 namespace ease {
@@ -16,6 +17,6 @@ namespace ease {
 const std::vector<std::string>& mannequinPoses();
 
 /// Makes the body in one pose; all poses have the same triangles.  Throws InputError naming an unknown pose.
-TriangleMesh mannequin(const std::string& pose);
+TriangleMesh mannequin(const std::string& pose, const BodyMeasures& measures = {});
 
 }  // namespace ease

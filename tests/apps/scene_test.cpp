@@ -174,6 +174,19 @@ TEST_CASE("built-in garments start on the pose that they are made on") {
              Contains("expected [body] poses to begin with 't'"));
 }
 
+TEST_CASE("the mannequin takes measures within its range, and pose files take none") {
+  const std::string end = "}\n[garment]\nbuiltin = 't-shirt'\n",
+                    begin = "body = {builtin = 'mannequin', poses = ['t'], ";
+  const Scene scene = sceneOf(begin + "height = 1.8, chest = 1.0, hips = 1.1" + end);
+  CHECK(scene.body->measures.height == 1.8);
+  CHECK(scene.body->measures.chest == 1.0);
+  CHECK_FALSE(scene.body->measures.waist.has_value());
+  CHECK_THAT(errorOf(begin + "chest = 98" + end), Contains("[body] chest = 98") && Contains("0.652"));
+  CHECK_THAT(errorOf(begin + "height = 0.3" + end), Contains("[body] height = 0.3"));
+  CHECK_THAT(errorOf("body = {poses = ['t.ply', 'a.ply'], waist = 0.7}\n[garment]\nmesh = 's.obj'\n"),
+             Contains("waist") && Contains("builtin = 'mannequin'"));
+}
+
 TEST_CASE("a pose that the mannequin does not have is refused") {
   CHECK_THAT(errorOf("[body]\nbuiltin = 'mannequin'\nposes = ['t', 'sitting']\n"),
              StartsWith("scene.toml:3: [body] poses") && EndsWith("it has no 'sitting'"));

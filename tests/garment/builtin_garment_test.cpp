@@ -114,6 +114,17 @@ TEST_CASE("the coarsest garment still passes around arms and trunk") {
   }
 }
 
+TEST_CASE("a built-in garment takes the measures of the mannequin that wears it, and keeps the offset") {
+  for (const BodyMeasures& measures : {BodyMeasures{1.5, 0.7, 0.56, 0.75}, BodyMeasures{1.9, 1.25, 1.1, 1.3}})
+    for (const std::string name : {"t-shirt", "dress"}) {
+      INFO(name << " for a height of " << *measures.height);
+      const TriangleMesh body = mannequin("t", measures), garment = builtinGarment(name, 600, kOffset, measures);
+      CHECK(clearance(garment, body) >= kOffset);
+      CHECK(sortedAngles(garment).front() > 4.0);
+      CHECK(buildTopology(garment, name).boundary_loops.size() == 4);
+    }
+}
+
 TEST_CASE("a built-in garment faces outwards and keeps the offset asked for") {
   const TriangleMesh body = mannequin("t");
   for (const double offset : {0.0, 0.05}) {
