@@ -40,9 +40,15 @@ nlohmann::json finishedReport(const fs::path& directory) {
 /// The scene's file of the run whose results are in a directory.
 std::string sceneOf(const fs::path& directory) {
   const nlohmann::json report = finishedReport(directory);
-  if (report.is_null())
+  if (report.is_null()) {
+    std::ifstream in(directory / "report.json");
+    const nlohmann::json stopped = nlohmann::json::parse(in, nullptr, false);
+    if (stopped.is_object() && (stopped.value("interrupted", false) || stopped.contains("failure")))
+      throw InputError(fmt::format("{}: this run was stopped before its end: go on with ease run SCENE --resume {}",
+                                   directory.string(), directory.string()));
     throw InputError(fmt::format("{}: no finished run: expected report.json and rest_shape.vtp of ease run, or a scene",
                                  directory.string()));
+  }
   const std::string scene = report.value("scene_file", "");
   if (scene.empty() || !fs::exists(scene))
     throw InputError(fmt::format("{}: scene_file = '{}': no such scene: give it by name, ease pattern SCENE -o {}",
@@ -103,6 +109,18 @@ std::vector<int> fileVertices(const SceneInput& input, std::vector<int> vertices
   return vertices;
 }
 
+/// Throws InputError where a run was made with another limit than the scene's.
+void checkSameLimit(const nlohmann::json& report, const Scene& scene, const fs::path& run) {
+  const double limit = scene.adaption ? 1.0 + scene.adaption->limit : 0.0;
+  const double of_run = report.value("sigma_1", nlohmann::json::object()).value("limit", 0.0);
+  if (std::abs(of_run - limit) < 1e-9) return;
+  const auto inWords = [](double of) { return of > 0.0 ? fmt::format("limit = {:.4g}", of - 1.0) : "no limit"; };
+  throw InputError(
+      fmt::format("{}: this run was made with {}, the scene has {}: run the scene again, or give another "
+                  "directory by -o",
+                  run.string(), inWords(of_run), inWords(limit)));
+}
+
 }  // namespace
 
 ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
@@ -129,7 +147,14 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
                       scene.file.string()));
     const ResultDirectory results(directory);
     bool doubtful = false;
-    if (finishedReport(run).is_null()) {
+    if (const nlohmann::json report = finishedReport(run); !report.is_null()) {
+      checkSameLimit(report, scene, run);
+      for (const nlohmann::json& doubt : report.value("doubts", nlohmann::json::array())) {
+        doubtful = true;
+        say("warning", fmt::format("{}: {}: the pattern is that of a garment whose fit nothing is known of",
+                                   run.string(), doubt.get<std::string>()));
+      }
+    } else {
       fmt::print("no finished run in {}: the scene is run first\n", run.string());
       if (input.authored) writeGarment(scene, input, directory, interrupted);
       const RunEnd end = runScene(scene, input, directory, interrupted);
@@ -176,8 +201,11 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
     if (made.cuts)
       for (const std::string& warning : made.cuts->warnings) say("warning", warning);
     for (const std::string& warning : made.flat.warnings) say("warning", warning);
+    removeOldPattern(directory);
     const std::string summary = writePattern(scene, input, made, directory);
-    showPatternInPage(directory);
+    std::vector<std::string> warnings = made.flat.warnings;
+    if (made.cuts) warnings.insert(warnings.end(), made.cuts->warnings.begin(), made.cuts->warnings.end());
+    showPatternInPage(directory, summary, warnings);
     fmt::print("{}results   {}\n", summary, directory.string());
     return doubtful ? kDoubtful : kDone;
   });

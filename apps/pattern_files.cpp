@@ -57,7 +57,8 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
                         1e3 * pose.rms_m, 1e3 * pose.max_m);
   };
   if (!resewn.own.pose.empty()) line(resewn.own);
-  for (const ResewnPose& pose : resewn.poses) line(pose);
+  for (const ResewnPose& pose : resewn.poses)
+    if (resewn.own.pose.empty() || resewn.poses.size() > 1 || pose.pose != resewn.own.pose) line(pose);
   if (resewn.has_limit)
     text += fmt::format(
         "          over the limit: {:.2f} % of the triangles, {:.2f} % as designed; let out {} times, cloth {:+.2f} "

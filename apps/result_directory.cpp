@@ -35,6 +35,9 @@ constexpr std::array kShown = {"report.json", "stretch.png", "stretch_first_pose
 constexpr std::array kShapes = {"rest_shape.obj", "rest_shape.vtp", "rest_pieces.obj", "rest_pieces.vtp",
                                 "rest_pieces.json"};
 
+constexpr std::array kPattern = {"pattern.svg", "pattern.pdf",  "pattern_a4.pdf", "pattern_letter.pdf", "pattern.dxf",
+                                 "pattern.png", "pattern.json", "pattern.vtp",    "pattern_resewn.png"};
+
 void removeResult(const fs::path& file) {
   if (fs::is_directory(file))
     throw InputError(fmt::format("{}: is a directory: a result of that name is to be written", file.string()));
@@ -141,11 +144,16 @@ void removeOldResults(const fs::path& directory, bool goes_on) {
     removeResult(temporaryName(directory / name));
     removeResult(directory / name);
   }
+  removeOldPattern(directory);
   removeResult(temporaryName(directory / kCheckpoint));
   if (goes_on) return;
   removeEarlierReport(directory);
   removeResult(directory / kCheckpoint);
   for (const char* series : {"garment", "body", "rest"}) removeSeries(directory, series);
+}
+
+void removeOldPattern(const fs::path& directory) {
+  for (const char* name : kPattern) removeResult(directory / name);
 }
 
 void removeEarlierReport(const fs::path& directory) {

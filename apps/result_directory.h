@@ -41,6 +41,9 @@ class ResultDirectory {
 /// and whose report and pictures are kept under other names.
 void removeOldResults(const std::filesystem::path& directory, bool goes_on);
 
+/// Removes the files of an earlier sewing pattern, whose garment may have been another one.
+void removeOldPattern(const std::filesystem::path& directory);
+
 /// Removes the report and pictures that removeOldResults() kept under other names.
 void removeEarlierReport(const std::filesystem::path& directory);
 

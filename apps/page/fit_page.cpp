@@ -12,6 +12,7 @@
 #include "apps/page/page_pictures.h"
 #include "apps/page/page_style.h"
 #include "apps/page/pattern_in_page.h"
+#include "apps/page/verdict.h"
 #include "solver/base/error.h"
 #include "solver/base/whole_file.h"
 
@@ -39,7 +40,7 @@ class Writer {
         "fit</title>\n<style>{1}</style></head><body>\n"
         "<h1>{0}</h1>\n",
         escaped(page_.scene.name), kPageStyle);
-    verdict();
+    out_ += verdictHtml(page_.scene, page_.report);
     if (pictures) motion(*pictures);
     for (size_t p = 0; p < page_.input.pose_names.size(); ++p) {
       const int number = static_cast<int>(p);
@@ -64,40 +65,6 @@ class Writer {
   }
 
   bool hasBefore() const { return !page_.before.moments.empty(); }
-  std::string percent(double share) const { return fmt::format("{:.3g} %", std::round(1e4 * share) / 100.0); }
-
-  void verdict() {
-    const Report& report = page_.report;
-    if (!report.doubts.empty()) {
-      add("<p class=\"verdict bad\">This result says nothing about the fit: {}.</p>\n", escaped(report.doubts.front()));
-    } else if (report.verified) {
-      const StretchStatistics &after = report.after.stretch.overall, &before = report.before.stretch.overall;
-      const double target = fitsInPasses(page_.scene) ? page_.scene.adaption->fit.target : 0.0;
-      add("<p class=\"verdict {}\">{} At the worst moment {} of the garment's triangles are stretched by more than "
-          "{:.3g} "
-          "%; before it was let out, {}.</p>\n",
-          after.share_over_limit <= target ? "good" : "fair",
-          after.share_over_limit <= target ? "The garment fits in every pose."
-                                           : "Places of the garment stay too tight.",
-          percent(after.share_over_limit), 100.0 * report.limit, percent(before.share_over_limit));
-    } else {
-      add("<p class=\"verdict fair\">The garment was simulated, not fitted: its largest stretch is {:.0f} %.</p>\n",
-          100.0 * (report.run.stretch.overall.max - 1.0));
-    }
-    add("<dl class=\"figures\">");
-    const auto figure = [&](const std::string& name, const std::string& value) {
-      add("<div><dt>{}</dt><dd>{}</dd></div>", name, value);
-    };
-    if (page_.scene.adaption) {
-      figure("cloth added", fmt::format("{:+.1f} %", 100.0 * (report.growth.area_ratio - 1.0)));
-      figure("most let out", fmt::format("× {:.2f}", report.growth.max));
-    }
-    if (report.time_to_fit_s) figure("time to fit", fmt::format("{:.1f} s", *report.time_to_fit_s));
-    figure("triangles", fmt::format("{}", report.triangles));
-    if (!report.fit.passes.empty()) figure("passes", fmt::format("{}", report.fit.passes.size()));
-    add("</dl>\n");
-  }
-
   void motion(PagePictures& pictures) {
     if (page_.after.moments.size() < 2) return;
     const ColorScale scale = stretchScale();
@@ -116,7 +83,7 @@ class Writer {
 
   ColorScale stretchScale() const { return {1.0, 1.0 + 2.0 * limit_, 1.0 + limit_}; }
   ShownValue stretch() const {
-    return {"Stretch", "%", 100.0, stretchScale(), {{1.0 + limit_, page_.scene.adaption ? "limit" : "10 %"}}};
+    return {"Stretch", "%", 100.0, stretchScale(), {{1.0 + limit_, page_.scene.adaption ? "limit" : ""}}};
   }
   ShownValue pressure() const {
     return {
@@ -132,7 +99,7 @@ class Writer {
     constexpr int kBlocks = 60;
     for (int b = 0; b < kBlocks; ++b) {
       const Rgb c = value.scale.color(low + (high - low) * (b + 0.5) / kBlocks);
-      add("<rect x=\"{}\" y=\"2\" width=\"7\" height=\"14\" fill=\"#{:02x}{:02x}{:02x}\"/>", 7 * b, c[0], c[1], c[2]);
+      add("<rect x=\"{}\" y=\"2\" width=\"7.3\" height=\"14\" fill=\"#{:02x}{:02x}{:02x}\"/>", 7 * b, c[0], c[1], c[2]);
     }
     const auto number = [&](double v, double x, const char* anchor, const std::string& word) {
       add("<text x=\"{:.0f}\" y=\"32\" text-anchor=\"{}\">{:.3g} {} {}</text>", x, anchor, value.factor * (v - zero),
@@ -158,7 +125,8 @@ class Writer {
   }
 
   void moment(const std::string& title, const ShownMoment* before, const ShownMoment& after, PagePictures* pictures) {
-    add("<h2>{}{}</h2>\n", escaped(title), after.time_s > 0.0 ? "" : ", before the first time step");
+    const std::string when_shown = after.time_s > 0.0 ? fmt::format("{:.2f} s", after.time_s) : "before the first step";
+    add("<h2>{}, {}</h2>\n", escaped(title), when_shown);
     table(before, after);
     if (!pictures) return;
     const char* when = hasBefore() ? "after" : "as simulated";
@@ -180,17 +148,19 @@ class Writer {
     const auto figures = areaFigures(areas_, page_.input, after, page_.first_areas, growth_);
     std::vector<AreaFigures> earlier;
     if (before) earlier = areaFigures(areas_, page_.input, *before, page_.first_areas, growth_);
-    add("<div class=\"wide\"><table><tr><th>part</th><th>cloth, cm²</th>{}{}<th>largest stretch</th><th>over the "
-        "limit</th>"
-        "<th>largest pressure, kPa</th><th>ease, mean mm</th></tr>\n",
-        page_.scene.adaption ? "<th>cloth added</th>" : "", before ? "<th>largest stretch before</th>" : "");
+    add("<div class=\"wide\"><table><tr><th>part</th><th>cloth at first, cm²</th>{}{}<th>largest "
+        "stretch</th>{}<th>largest "
+        "pressure, kPa</th><th>ease, mean mm</th></tr>\n",
+        page_.scene.adaption ? "<th>cloth added</th>" : "", before ? "<th>largest stretch before</th>" : "",
+        page_.scene.adaption ? "<th>triangles over the limit</th>" : "");
     for (size_t a = 0; a < figures.size(); ++a) {
       const AreaFigures& f = figures[a];
       add("<tr><th>{}</th><td>{:.0f}</td>", a < areas_.names.size() ? escaped(areas_.names[a]) : "all",
           1e4 * f.cloth_m2);
-      if (page_.scene.adaption) add("<td>{:+.1f} %</td>", 100.0 * (f.cloth_growth - 1.0));
-      if (before) add("<td>{:.1f} %</td>", 100.0 * (earlier[a].max_stretch - 1.0));
-      add("<td>{:.1f} %</td><td>{}</td>", 100.0 * (f.max_stretch - 1.0), percent(f.share_over_limit));
+      if (page_.scene.adaption) add("<td>{:+.1f}\u00a0%</td>", 100.0 * (f.cloth_growth - 1.0));
+      if (before) add("<td>{:.1f}\u00a0%</td>", 100.0 * (earlier[a].max_stretch - 1.0));
+      add("<td>{:.1f}\u00a0%</td>", 100.0 * (f.max_stretch - 1.0));
+      if (page_.scene.adaption) add("<td>{}</td>", percentText(f.share_over_limit));
       out_ += after.pressure.empty() ? "<td>–</td>" : fmt::format("<td>{:.2f}</td>", 1e-3 * f.max_pressure_Pa);
       out_ += after.distance.empty() ? "<td>–</td>" : fmt::format("<td>{:.1f}</td>", 1e3 * f.mean_distance_m);
       add("</tr>\n");
@@ -247,9 +217,8 @@ class Writer {
   }
 
   void notes() {
-    if (page_.report.warnings.empty() && page_.report.doubts.empty()) return;
+    if (page_.report.warnings.empty()) return;
     add("<h2>Asks for attention</h2>\n<ul>");
-    for (const std::string& doubt : page_.report.doubts) add("<li><strong>{}</strong></li>", escaped(doubt));
     for (const std::string& warning : page_.report.warnings) add("<li>{}</li>", escaped(warning));
     add("</ul>\n");
   }
@@ -262,7 +231,8 @@ class Writer {
         "triangles "
         "are crumpled: sheared over the limit while neither thread is stretched. Pressure is that of the body on the "
         "cloth; wearers call up to 2 kPa comfortable, and 5.9 to 9.8 kPa is where it hurts (Denton 1972, <cite>Fit, "
-        "Stretch, and Comfort</cite>). Ease is the distance from the body.</p>\n");
+        "Stretch, and Comfort</cite>). Ease is the distance from the body; the table has its mean over the part's "
+        "triangles. Tightest places leave crumpled triangles out.</p>\n");
     add("<h2>Made with</h2>\n<p>Ease {}, method {}, time step {:.4g} s, {} vertices, {:.1f} s in "
         "all.</p>\n<details><summary>"
         "scene</summary><pre>{}</pre></details>\n",

@@ -15,6 +15,8 @@ namespace ease {
 
 namespace {
 
+constexpr double kMiddle = 0.03;  // m: nearer to x = 0 a place is in the middle
+
 std::vector<NamedLoop> loopsOf(const SceneInput& input) {
   if (!input.loops.empty()) return input.loops;
   return nameLoops(buildTopology(input.garment, "garment"), input.garment.positions);
@@ -80,6 +82,13 @@ GarmentAreas garmentAreas(const Scene& scene, const SceneInput& input) {
 std::string placeInWords(const GarmentAreas& areas, const SceneInput& input, int triangle) {
   const Vec3 x = centroid(input.garment, triangle);
   std::string place = areas.names[areas.of_triangle[triangle]];
+  const auto corners = input.garment.triangles.row(triangle);
+  const Positions& p = input.garment.positions;
+  const bool in_front = doubleAreaNormal(p.row(corners[0]), p.row(corners[1]), p.row(corners[2])).z() >= 0.0;
+  if (place.find("front") == std::string::npos && place.find("back") == std::string::npos)
+    place += in_front ? ", in front" : ", at the back";
+  if (std::abs(x.x()) > kMiddle && place.find("left") == std::string::npos && place.find("right") == std::string::npos)
+    place += x.x() > 0.0 ? ", on the left" : ", on the right";
   double nearest = std::numeric_limits<double>::infinity();
   std::string line;
   const auto look = [&](const std::string& what, const std::vector<int>& vertices) {

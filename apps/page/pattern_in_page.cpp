@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "apps/page/line_chart.h"
 #include "solver/base/whole_file.h"
 #include "viz/jpeg.h"
 
@@ -26,14 +27,17 @@ std::string figureOf(const std::filesystem::path& picture, const std::string& ca
 
 }  // namespace
 
-void showPatternInPage(const std::filesystem::path& directory) {
+void showPatternInPage(const std::filesystem::path& directory, const std::string& summary,
+                       const std::vector<std::string>& warnings) {
   const std::filesystem::path file = directory / "fit.html";
   const std::string page = contentOf(file);
   const size_t begins = page.find(kPatternBegins), ends = page.find(kPatternEnds);
   if (begins == std::string::npos || ends == std::string::npos || ends < begins) return;
-  const std::string section = kPatternBegins + std::string("\n<h2>Sewing pattern</h2>\n") +
-                              figureOf(directory / "pattern.png", "pieces") +
-                              figureOf(directory / "pattern_resewn.png", "as designed and as sewn from the pieces");
+  std::string section = kPatternBegins + std::string("\n<h2>Sewing pattern</h2>\n<ul>");
+  for (const std::string& warning : warnings) section += "<li>" + escaped(warning) + "</li>\n";
+  section += "</ul>\n<pre>" + escaped(summary) + "</pre>\n" +
+             figureOf(directory / "pattern.png", "pieces, coloured by how far threads must stretch") +
+             figureOf(directory / "pattern_resewn.png", "as designed and as sewn from the pieces, in the last pose");
   writeWholeFile(file, page.substr(0, begins) + section + page.substr(ends));
 }
 

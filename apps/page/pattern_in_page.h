@@ -2,14 +2,18 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace ease {
 
 constexpr const char* kPatternBegins = "<!-- pattern -->";
 constexpr const char* kPatternEnds = "<!-- end of pattern -->";
 
-/// Puts pattern.png, and pattern_resewn.png where there is one, into fit.html of the same directory, in place of those
-/// of an earlier pattern.  Does nothing where there is no such page.  Throws ComputationError naming the file.
-void showPatternInPage(const std::filesystem::path& directory);
+/// Puts pattern.png, pattern_resewn.png where there is one, the summary that the program prints and the warnings into
+/// fit.html of the same directory, in place of those of an earlier pattern.  Does nothing where there is no such page.
+/// Throws ComputationError naming the file.
+void showPatternInPage(const std::filesystem::path& directory, const std::string& summary,
+                       const std::vector<std::string>& warnings);
 
 }  // namespace ease

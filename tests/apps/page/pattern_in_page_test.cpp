@@ -9,16 +9,17 @@ using namespace ease;
 TEST_CASE("a pattern's pictures come into the page, in place of earlier ones") {
   const TemporaryDirectory directory;
   directory.write("pattern.png", "Man");
-  showPatternInPage(directory.path);  // no page: nothing happens
+  showPatternInPage(directory.path, "4 pieces", {"a < b"});  // no page: nothing happens
   CHECK_FALSE(std::filesystem::exists(directory.path / "fit.html"));
   directory.write("fit.html", std::string("before") + kPatternBegins + kPatternEnds + "after");
-  showPatternInPage(directory.path);
+  showPatternInPage(directory.path, "4 pieces", {"a < b"});
   const std::string page = contentOf(directory.path / "fit.html");
   CHECK_THAT(page, Catch::Matchers::StartsWith("before") && Catch::Matchers::EndsWith("after"));
   CHECK_THAT(page, Catch::Contains("data:image/png;base64,TWFu"));
-  showPatternInPage(directory.path);
+  CHECK_THAT(page, Catch::Contains("<pre>4 pieces</pre>") && Catch::Contains("<li>a &lt; b</li>"));
+  showPatternInPage(directory.path, "4 pieces", {"a < b"});
   CHECK(contentOf(directory.path / "fit.html") == page);
   directory.write("fit.html", "a page of something else");
-  showPatternInPage(directory.path);
+  showPatternInPage(directory.path, "4 pieces", {"a < b"});
   CHECK(contentOf(directory.path / "fit.html") == "a page of something else");
 }
