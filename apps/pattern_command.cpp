@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "apps/commands.h"
 #include "apps/cut_input.h"
@@ -18,6 +19,7 @@
 #include "apps/pattern_files.h"
 #include "apps/result_directory.h"
 #include "apps/scene_run.h"
+#include "apps/words.h"
 #include "garment/named_loop.h"
 #include "solver/base/error.h"
 #include "viz/vtp_arrays.h"
@@ -121,6 +123,16 @@ void checkSameLimit(const nlohmann::json& report, const Scene& scene, const fs::
                   run.string(), inWords(of_run), inWords(limit)));
 }
 
+/// Throws InputError where an allowance is given for a seam or loop that no piece has.
+void checkAllowanceNames(const Allowances& allowances, const CutGarment& cut) {
+  std::set<std::string> known;
+  for (const PieceEdge& edge : cut.edges) known.insert(edge.name);
+  for (const auto& [name, width] : allowances.by_name)
+    if (!known.contains(name))
+      throw InputError(fmt::format("allowance.{}: no piece has such a seam or edge; there are {}", name,
+                                   listWords({known.begin(), known.end()})));
+}
+
 }  // namespace
 
 ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
@@ -183,6 +195,7 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
         cutInput(made.cuts->cut, input, rest);
       }
       made.flat = flattenGarment(garment, settings);
+      checkAllowanceNames(scene.pattern.allowances, made.flat.cut);
       made.file_vertex = fileVertices(input, made.flat.cut.pieces.glue);
       drawPattern(scene, made);
     } catch (const InputError& error) {

@@ -77,16 +77,20 @@ void tellApart(const std::vector<Place>& places, const Word& word, std::vector<s
 }
 
 /// The piece of the triangle nearest to a point.
-int pieceAt(const Vec3& at, const CutGarment& cut, const TriangleMesh& garment) {
+int pieceAt(const PieceName& name, const CutGarment& cut, const TriangleMesh& garment) {
+  constexpr double kReach = 0.2;  // m, from the middle of a triangle
   int nearest = 0;
   double least = INFINITY;
   for (int t = 0; t < garment.triangles.rows(); ++t) {
     Vec3 middle = Vec3::Zero();
     for (int k = 0; k < 3; ++k) middle += garment.positions.row(garment.triangles(t, k)).transpose() / 3.0;
-    if ((middle - at).squaredNorm() >= least) continue;
-    least = (middle - at).squaredNorm();
+    if ((middle - name.at).squaredNorm() >= least) continue;
+    least = (middle - name.at).squaredNorm();
     nearest = cut.pieces.piece[t];
   }
+  if (least > kReach * kReach)
+    throw InputError(fmt::format("piece '{}' at [{:g}, {:g}, {:g}]: {:.2f} m from the garment: expected a point on it",
+                                 name.name, name.at.x(), name.at.y(), name.at.z(), std::sqrt(least)));
   return nearest;
 }
 
@@ -110,7 +114,7 @@ std::vector<std::string> pieceNames(const CutGarment& cut, const TriangleMesh& g
       names);
   std::map<int, std::string> named;
   for (const PieceName& name : given) {
-    const int piece = pieceAt(name.at, cut, garment);
+    const int piece = pieceAt(name, cut, garment);
     if (const auto [other, is_new] = named.emplace(piece, name.name); !is_new)
       throw InputError(fmt::format("piece '{}' at [{:g}, {:g}, {:g}]: that piece is named '{}' already", name.name,
                                    name.at.x(), name.at.y(), name.at.z(), other->second));

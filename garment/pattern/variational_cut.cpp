@@ -5,6 +5,7 @@
 #include "garment/pattern/mirror_levels.h"
 #include "garment/pattern/normal_clusters.h"
 #include "garment/pattern/region_chains.h"
+#include "solver/base/error.h"
 #include "solver/base/stopwatch.h"
 
 namespace ease {
@@ -32,6 +33,10 @@ FoundCuts findCuts(const RestGarment& given, const CutSettings& settings, const 
   std::function<void(RegionLevels&)> project;
   const double plane = settings.plane.value_or(middlePlane(surface));
   if (settings.is_symmetric) {
+    const double low = garment.mesh.positions.col(0).minCoeff(), high = garment.mesh.positions.col(0).maxCoeff();
+    if (plane <= low || plane >= high)
+      throw InputError(
+          fmt::format("symmetric = {:g}: the plane misses the garment: expected {:.3f} to {:.3f} m", plane, low, high));
     project = MirrorLevels(surface, plane, kReach * surface.mean_edge);
     project(start);
   }

@@ -110,4 +110,10 @@ TEST_CASE("pattern says in a line what it lacks") {
   CHECK(narrow.code == 1);
   CHECK(isOneLine(narrow.err));
   CHECK_THAT(narrow.err, Contains("narrow.toml: [pattern] piece '") && Contains("wide"));
+
+  directory.write("hemm.toml", kTube + kSides + "[pattern]\ncheck = false\n[pattern.allowance]\nhemm = 0.03\n");
+  const Outcome hemm = runEase(directory, "pattern hemm.toml");
+  CHECK(hemm.code == 1);
+  CHECK(isOneLine(hemm.err));
+  CHECK_THAT(hemm.err, Contains("[pattern] allowance.hemm: no piece has such a seam or edge; there are"));
 }

@@ -39,4 +39,5 @@ TEST_CASE("a name is given to the piece nearest to a point, once") {
   CHECK(std::count(names.begin(), names.end(), "apron") == 1);
   CHECK(std::count(names.begin(), names.end(), "back") == 1);
   CHECK_THROWS_AS(pieceNames(made.cut, made.mesh, {{"a", {0.0, 0.5, 1.0}}, {"b", {0.1, 0.5, 1.0}}}), InputError);
+  CHECK_THROWS_WITH(pieceNames(made.cut, made.mesh, {{"a", {0.0, 5.0, 0.0}}}), Catch::Contains("m from the garment"));
 }

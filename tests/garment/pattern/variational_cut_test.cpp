@@ -27,6 +27,14 @@ TEST_CASE("a shirt without seams becomes a few pieces that keep the limits of wo
   for (size_t i = 0; i + 1 < found.energies.size(); ++i) CHECK(found.energies[i + 1] < found.energies[i]);
 }
 
+TEST_CASE("a plane of symmetry that misses the garment is refused") {
+  CutSettings settings;
+  settings.is_symmetric = true;
+  settings.plane = 3.0;
+  CHECK_THROWS_WITH(findCuts(restGarment(cone(40, 12, 0.16, 0.6, false)), settings, noDarts()),
+                    Catch::Contains("symmetric = 3: the plane misses the garment"));
+}
+
 TEST_CASE("a tube is cut open") {
   const FoundCuts found = findCuts(restGarment(cone(40, 12, 0.16, 0.6, false)), {}, noDarts());
   CHECK_NOTHROW(flattenGarment(found.cut.garment, noDarts()));
