@@ -3,7 +3,6 @@
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
-#include <regex>
 
 #include "tests/apps/command.h"
 
@@ -44,8 +43,8 @@ TEST_CASE("the page of a fit holds its pictures, tables, charts and scene, and a
   CHECK_THAT(page, Contains("<h1>a&lt;b</h1>") && Contains("Pose t") && Contains("Pose up"));
   CHECK_THAT(page, Contains("front") && Contains("Tightest places") && Contains("triangles over the limit"));
   CHECK_THAT(page, Contains("builtin = &quot;t-shirt&quot;"));
-  CHECK_FALSE(std::regex_search(page, std::regex("(src|href)=\"(?!data:)")));
-  CHECK_FALSE(std::regex_search(page, std::regex("\\bnan\\b|\\binf\\b")));
+  CHECK(count(page, "src=\"") == count(page, "src=\"data:image/"));
+  CHECK_THAT(page, !Contains("href=") && !Contains(">nan") && !Contains(">inf"));
   CHECK(page.size() < 5'000'000);
   if (run.err.find("no picture") != std::string::npos) {
     WARN("pictures skipped: " << run.err);
