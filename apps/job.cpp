@@ -27,8 +27,6 @@ namespace ease {
 
 namespace {
 
-constexpr double kShownStretch = 0.1;  // stretch marked in the pictures of a run without a limit
-
 class Job {
   using Clock = std::chrono::steady_clock;
 

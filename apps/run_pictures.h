@@ -9,6 +9,9 @@
 
 namespace ease {
 
+/// Stretch that pictures mark where a run has no limit.
+inline constexpr double kShownStretch = 0.1;
+
 /// A garment to be drawn in a picture.
 struct ShownGarment {
   TriangleMesh mesh;

@@ -13,6 +13,7 @@
 #include "apps/page/page_style.h"
 #include "apps/page/pattern_in_page.h"
 #include "apps/page/verdict.h"
+#include "apps/run_pictures.h"
 #include "solver/base/error.h"
 #include "solver/base/whole_file.h"
 
@@ -20,7 +21,6 @@ namespace ease {
 
 namespace {
 
-constexpr double kShownStretch = 0.1;                                        // marked where the scene has no limit
 constexpr double kFirm = 2000.0, kPainful = 5900.0, kPressureEnd = 10000.0;  // Pa
 constexpr double kLooseEase = 0.05;                                          // m, end of the scale
 
@@ -65,16 +65,16 @@ class Writer {
   }
 
   bool hasBefore() const { return !page_.before.moments.empty(); }
+
   void motion(PagePictures& pictures) {
     if (page_.after.moments.size() < 2) return;
-    const ColorScale scale = stretchScale();
+    const std::vector<std::string> frames = pictures.drawFrames(page_.after, stretchScale());
     add("<h2>Through the motion</h2>\n<div class=\"motion\" id=\"motion\">\n");
     for (size_t m = 0; m < page_.after.moments.size(); ++m) {
       const ShownMoment& moment = page_.after.moments[m];
       const std::string pose = moment.pose >= 0 ? ", " + page_.input.pose_names[moment.pose] : "";
       add("<figure{}><img src=\"{}\" alt=\"garment at {:.2f} s\"><figcaption>{:.2f} s{}</figcaption></figure>\n",
-          m == 0 ? " class=\"now\"" : "", pictures.drawFrame(page_.after, m, scale), moment.time_s, moment.time_s,
-          escaped(pose));
+          m == 0 ? " class=\"now\"" : "", frames[m], moment.time_s, moment.time_s, escaped(pose));
     }
     add("<input type=\"range\" min=\"0\" max=\"{}\" value=\"0\" aria-label=\"moment\"></div>\n",
         page_.after.moments.size() - 1);
@@ -195,7 +195,7 @@ class Writer {
       return result;
     };
     const auto chart = [&](const std::string& title, const auto& value, std::optional<double> limit) {
-      LineChart made{title, "time, s", "", {}, limit, 0.0};
+      LineChart made{title, "time, s", {}, limit};
       if (!page_.before.curve.empty()) made.lines.push_back(line("before", "#c2571a", page_.before, value));
       made.lines.push_back(line(hasBefore() ? "after" : "run", "#2b6ca3", page_.after, value));
       out_ += toSvg(made);
@@ -249,16 +249,13 @@ class Writer {
 
 }  // namespace
 
-std::string writeFitPage(const FitPage& page, const std::filesystem::path& directory) {
+void writeFitPage(const FitPage& page, const std::filesystem::path& directory) {
   std::optional<PagePictures> pictures;
-  std::string reason;
   try {
     pictures.emplace(page.input);
-  } catch (const ComputationError& error) {
-    reason = error.what();
+  } catch (const ComputationError&) {  // the report has the reason: the other pictures lack, too
   }
   writeWholeFile(directory / "fit.html", Writer(page).html(pictures ? &*pictures : nullptr));
-  return reason;
 }
 
 }  // namespace ease

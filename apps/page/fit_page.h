@@ -22,8 +22,8 @@ struct FitPage {
   const std::vector<double> rest_areas;   // of those of the rest shape, m^2
 };
 
-/// Writes fit.html into the directory.  Returns an empty string, or the reason why there are no pictures in it.  Throws
-/// ComputationError naming the file.
-std::string writeFitPage(const FitPage& page, const std::filesystem::path& directory);
+/// Writes fit.html into the directory, without pictures where OpenGL cannot render.  Throws ComputationError naming the
+/// file.
+void writeFitPage(const FitPage& page, const std::filesystem::path& directory);
 
 }  // namespace ease

@@ -29,6 +29,11 @@ Vec3 centroid(const TriangleMesh& mesh, int t) {
          3.0;
 }
 
+bool facesFront(const TriangleMesh& mesh, int t) {
+  const auto v = mesh.triangles.row(t);
+  return doubleAreaNormal(mesh.positions.row(v[0]), mesh.positions.row(v[1]), mesh.positions.row(v[2])).z() >= 0.0;
+}
+
 /// Distance from x to the nearest of these vertices, m.
 double distanceTo(const std::vector<int>& vertices, const Positions& positions, const Vec3& x) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -36,31 +41,27 @@ double distanceTo(const std::vector<int>& vertices, const Positions& positions, 
   return nearest;
 }
 
-GarmentAreas piecesOf(const Scene& scene, const SceneInput& input) {
+GarmentAreas piecesOf(const Scene& scene, const SceneInput& input, const std::vector<NamedLoop>& loops) {
   std::vector<CutLine> lines;
   for (const Seam& seam : input.seams) lines.push_back({seam, LineKind::seam});
-  const CutGarment cut = cutGarment(input.garment, lines, loopsOf(input));
-  return {cut.pieces.piece, pieceNames(cut, input.garment, scene.pattern.names)};
+  const CutGarment cut = cutGarment(input.garment, lines, loops);
+  return {cut.pieces.piece, pieceNames(cut, input.garment, scene.pattern.names), loops};
 }
 
-GarmentAreas sidesOf(const SceneInput& input) {
-  const TriangleMesh& mesh = input.garment;
-  const std::vector<NamedLoop> loops = loopsOf(input);
-  GarmentAreas areas;
+GarmentAreas sidesOf(const TriangleMesh& mesh, const std::vector<NamedLoop>& loops) {
+  GarmentAreas areas{{}, {}, loops};
   std::map<std::string, int> numbers;
   for (int t = 0; t < mesh.triangles.rows(); ++t) {
     const Vec3 x = centroid(mesh, t);
-    const auto corners = mesh.triangles.row(t);
-    const Vec3 normal = doubleAreaNormal(mesh.positions.row(corners[0]), mesh.positions.row(corners[1]),
-                                         mesh.positions.row(corners[2]));
-    std::string name = normal.z() >= 0.0 ? "front" : "back";
+    const std::string side = facesFront(mesh, t) ? "front" : "back";
+    std::string name = side;
     double nearest = std::numeric_limits<double>::infinity();
     for (const NamedLoop& loop : loops) {
       const double distance = distanceTo(loop.vertices, mesh.positions, x);
       if (distance >= nearest) continue;
       nearest = distance;
       const bool on_middle = loop.name == "neck" || loop.name == "hem";
-      name = on_middle ? (normal.z() >= 0.0 ? "front" : "back") : "at " + loop.name;
+      name = on_middle ? side : "at " + loop.name;
     }
     areas.of_triangle.push_back(numbers.emplace(name, static_cast<int>(numbers.size())).first->second);
     if (numbers.size() > areas.names.size()) areas.names.push_back(name);
@@ -71,22 +72,20 @@ GarmentAreas sidesOf(const SceneInput& input) {
 }  // namespace
 
 GarmentAreas garmentAreas(const Scene& scene, const SceneInput& input) {
-  if (input.seams.empty()) return sidesOf(input);
+  const std::vector<NamedLoop> loops = loopsOf(input);
+  if (input.seams.empty()) return sidesOf(input.garment, loops);
   try {
-    return piecesOf(scene, input);
+    return piecesOf(scene, input, loops);
   } catch (const InputError&) {  // the seams leave a piece with a hole: a pattern would cut it open
-    return sidesOf(input);
+    return sidesOf(input.garment, loops);
   }
 }
 
 std::string placeInWords(const GarmentAreas& areas, const SceneInput& input, int triangle) {
   const Vec3 x = centroid(input.garment, triangle);
   std::string place = areas.names[areas.of_triangle[triangle]];
-  const auto corners = input.garment.triangles.row(triangle);
-  const Positions& p = input.garment.positions;
-  const bool in_front = doubleAreaNormal(p.row(corners[0]), p.row(corners[1]), p.row(corners[2])).z() >= 0.0;
   if (place.find("front") == std::string::npos && place.find("back") == std::string::npos)
-    place += in_front ? ", in front" : ", at the back";
+    place += facesFront(input.garment, triangle) ? ", in front" : ", at the back";
   if (std::abs(x.x()) > kMiddle && place.find("left") == std::string::npos && place.find("right") == std::string::npos)
     place += x.x() > 0.0 ? ", on the left" : ", on the right";
   double nearest = std::numeric_limits<double>::infinity();
@@ -97,7 +96,7 @@ std::string placeInWords(const GarmentAreas& areas, const SceneInput& input, int
     nearest = distance;
     line = what;
   };
-  for (const NamedLoop& loop : loopsOf(input)) look("the edge '" + loop.name + "'", loop.vertices);
+  for (const NamedLoop& loop : areas.loops) look("the edge '" + loop.name + "'", loop.vertices);
   for (const Seam& seam : input.seams) look("the seam '" + seam.name + "'", seam.vertices);
   return line.empty() ? place : fmt::format("{}, {:.0f} cm from {}", place, 100.0 * nearest, line);
 }

@@ -14,6 +14,7 @@ namespace ease {
 struct GarmentAreas {
   std::vector<int> of_triangle;
   std::vector<std::string> names;
+  std::vector<NamedLoop> loops;  // boundary loops of the garment
 };
 
 /// Divides the scene's garment into named areas.

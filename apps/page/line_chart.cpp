@@ -21,11 +21,15 @@ bool isFinite(const std::pair<double, double>& point) {
 }
 
 Range rangeOf(const LineChart& chart, bool of_x) {
-  Range range{of_x ? 0.0 : chart.lowest, of_x ? 0.0 : chart.lowest};
+  Range range{0.0, 0.0};
+  const auto take = [&](double value) {
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value);
+  };
   for (const ChartLine& line : chart.lines)
     for (const auto& point : line.points)
-      if (isFinite(point)) range.high = std::max(range.high, of_x ? point.first : point.second);
-  if (!of_x && chart.limit) range.high = std::max(range.high, *chart.limit);
+      if (isFinite(point)) take(of_x ? point.first : point.second);
+  if (!of_x && chart.limit) take(*chart.limit);
   if (range.high <= range.low) range.high = range.low + 1.0;
   if (!of_x) range.high += 0.05 * (range.high - range.low);
   return range;
@@ -85,8 +89,7 @@ std::string toSvg(const LineChart& chart) {
     std::string path;
     for (const auto& point : line->points)
       if (isFinite(point))
-        path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", at_x(point.first),
-                            at_y(std::max(point.second, y.low)));
+        path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", at_x(point.first), at_y(point.second));
     if (path.empty()) continue;
     svg += fmt::format("<path class=\"line\" stroke=\"{}\" d=\"{}\"/>\n", line->color, path);
     svg += fmt::format("<text x=\"{:.0f}\" y=\"16\" text-anchor=\"end\" style=\"fill:{}\">{}</text>\n", name_x,

@@ -14,13 +14,13 @@ struct ChartLine {
 };
 
 struct LineChart {
-  std::string title, x_title, y_title;  // with units
+  std::string title, x_title;  // with units
   std::vector<ChartLine> lines;
   std::optional<double> limit;  // a line across
-  double lowest = 0.0;          // value at the bottom
 };
 
-/// The chart as an <svg> element, 460 x 250 units, with ticks at round values. Values that are not finite are left out.
+/// The chart as an <svg> element, 460 x 250 units, with ticks at round values; 0 is always in it. Values that are not
+/// finite are left out.
 std::string toSvg(const LineChart& chart);
 
 /// The smallest step of 1, 2 or 5 times a power of ten that divides `range` into at most `count` parts.

@@ -10,6 +10,7 @@ namespace {
 
 constexpr PictureSize kSideSize = {360, 460}, kFrameSize = {520, 620};  // pixels
 constexpr std::array<double, 4> kYaw = {0.0, 180.0, 90.0, -90.0};       // degrees, as kSides
+constexpr double kFrameYaw = 25.0;                                      // degrees
 
 }  // namespace
 
@@ -27,13 +28,16 @@ std::string PagePictures::draw(const ShownMoment& moment, const std::vector<floa
                kYaw[side], kSideSize);
 }
 
-std::string PagePictures::drawFrame(const MotionAlbum& album, size_t moment, const ColorScale& scale) {
+std::vector<std::string> PagePictures::drawFrames(const MotionAlbum& album, const ColorScale& scale) {
   Vec3 lower = album.moments.front().garment.row(0), upper = lower;
   for (const ShownMoment& each : album.moments) {
     lower = lower.cwiseMin(each.garment.colwise().minCoeff().transpose());
     upper = upper.cwiseMax(each.garment.colwise().maxCoeff().transpose());
   }
-  return drawn(album.moments[moment], album.moments[moment].sigma_1, scale, lower, upper, 25.0, kFrameSize);
+  std::vector<std::string> frames;
+  for (const ShownMoment& moment : album.moments)
+    frames.push_back(drawn(moment, moment.sigma_1, scale, lower, upper, kFrameYaw, kFrameSize));
+  return frames;
 }
 
 std::string PagePictures::drawn(const ShownMoment& moment, const std::vector<float>& values, const ColorScale& scale,

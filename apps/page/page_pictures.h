@@ -31,8 +31,8 @@ class PagePictures {
 
   /// The garment at a moment from a side (kSides), as a data URI.  `values`: of every triangle, or of every vertex.
   std::string draw(const ShownMoment& moment, const std::vector<float>& values, const ColorScale& scale, size_t side);
-  /// As draw(), from the front, with one camera for all moments of the album.
-  std::string drawFrame(const MotionAlbum& album, size_t moment, const ColorScale& scale);
+  /// The stretch at all moments of an album, from the front, with one camera.
+  std::vector<std::string> drawFrames(const MotionAlbum& album, const ColorScale& scale);
 
  private:
   std::string drawn(const ShownMoment& moment, const std::vector<float>& values, const ColorScale& scale,

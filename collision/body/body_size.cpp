@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace ease {
 
@@ -19,10 +18,6 @@ constexpr double kSmallest = 0.8, kTallest = 2.3;  // m, of heights
 double smoothStep(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
-}
-
-double cross(const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return (a - o).x() * (b - o).y() - (a - o).y() * (b - o).x();
 }
 
 }  // namespace
@@ -58,34 +53,6 @@ MeasureRange BodySize::range(const BodyMeasures& measures, const std::string& na
   const size_t k = name == "hips" ? 0 : name == "waist" ? 1 : 2;
   const double own = measures.height.value_or(kHeight) / kHeight * kGirths[k];
   return {kNarrowest * own, kWidest * own};
-}
-
-double girth(const TriangleMesh& body, double y, double reach) {
-  std::vector<Eigen::Vector2d> section;
-  for (int t = 0; t < body.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 a = body.positions.row(body.triangles(t, k)), b = body.positions.row(body.triangles(t, (k + 1) % 3));
-      if ((a.y() - y) * (b.y() - y) >= 0.0) continue;
-      const Vec3 x = a + (b - a) * (y - a.y()) / (b.y() - a.y());
-      if (std::abs(x.x()) < reach) section.emplace_back(x.x(), x.z());
-    }
-  if (section.size() < 3) return 0.0;
-  std::sort(section.begin(), section.end(),
-            [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-  // Andrew's monotone chain: the lower half of the hull from left to right, then the upper one back.
-  std::vector<Eigen::Vector2d> hull;
-  for (int half = 0; half < 2; ++half) {
-    const size_t begin = hull.size();
-    for (const Eigen::Vector2d& x : section) {
-      while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), x) <= 0.0) hull.pop_back();
-      hull.push_back(x);
-    }
-    hull.pop_back();
-    std::reverse(section.begin(), section.end());
-  }
-  double length = 0.0;
-  for (size_t k = 0; k < hull.size(); ++k) length += (hull[(k + 1) % hull.size()] - hull[k]).norm();
-  return length;
 }
 
 }  // namespace ease

@@ -52,7 +52,4 @@ class BodySize {
   std::array<double, 3> across_ = {1.0, 1.0, 1.0};  // s at the levels
 };
 
-/// Length of a tape around the trunk at height y, m: the convex hull of the section within `reach` of x = 0.
-double girth(const TriangleMesh& body, double y, double reach = 0.2);
-
 }  // namespace ease

@@ -29,5 +29,5 @@ TEST_CASE("a moment is drawn from four sides, coloured by a value of triangles o
   CHECK(pictures->draw(moment, over, scale, 0) != within);
   CHECK(pictures->draw(moment, moment.sigma_1, scale, 2) != within);  // a sheet seen along its plane
   CHECK(pictures->draw(moment, moment.sigma_1, scale, 0) == within);
-  CHECK_THAT(pictures->drawFrame({{moment}, {}, {}}, 0, scale), StartsWith("data:image/jpeg;base64,"));
+  CHECK_THAT(pictures->drawFrames({{moment}, {}, {}}, scale).front(), StartsWith("data:image/jpeg;base64,"));
 }

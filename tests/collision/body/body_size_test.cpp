@@ -1,11 +1,49 @@
 #include "collision/body/body_size.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <vector>
 
 #include "collision/body/mannequin.h"
-#include "solver/mesh/topology.h"
 
 using namespace ease;
+
+namespace {
+
+double cross(const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return (a - o).x() * (b - o).y() - (a - o).y() * (b - o).x();
+}
+
+/// Length of a tape around the trunk at height y, m: the convex hull of the section within `reach` of x = 0.
+double girth(const TriangleMesh& body, double y, double reach = 0.2) {
+  std::vector<Eigen::Vector2d> section;
+  for (int t = 0; t < body.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 a = body.positions.row(body.triangles(t, k)), b = body.positions.row(body.triangles(t, (k + 1) % 3));
+      if ((a.y() - y) * (b.y() - y) >= 0.0) continue;
+      const Vec3 x = a + (b - a) * (y - a.y()) / (b.y() - a.y());
+      if (std::abs(x.x()) < reach) section.emplace_back(x.x(), x.z());
+    }
+  if (section.size() < 3) return 0.0;
+  std::sort(section.begin(), section.end(),
+            [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  // Andrew's monotone chain: the lower half of the hull from left to right, then the upper one back.
+  std::vector<Eigen::Vector2d> hull;
+  for (int half = 0; half < 2; ++half) {
+    const size_t begin = hull.size();
+    for (const Eigen::Vector2d& x : section) {
+      while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), x) <= 0.0) hull.pop_back();
+      hull.push_back(x);
+    }
+    hull.pop_back();
+    std::reverse(section.begin(), section.end());
+  }
+  double length = 0.0;
+  for (size_t k = 0; k < hull.size(); ++k) length += (hull[(k + 1) % hull.size()] - hull[k]).norm();
+  return length;
+}
+
+}  // namespace
 
 TEST_CASE("the mannequin has the measures that it is said to have") {
   const TriangleMesh body = mannequin("t");
