@@ -1,7 +1,7 @@
 // Tables of the arrays in the written meshes: a row has the name and meaning of an array, and computes its values.
 //
-// All arrays of the written files come from these tables, and a test compares them with the lists in the README.  To
-// add an array, add a row to the table, a line to the README and a line to the list in that test.
+// All arrays of the written files come from these tables, and a test compares them with the lists in docs/results.md.
+// To add an array, add a row to the table, a line to that document and a line to the list in that test.
 #pragma once
 
 #include <functional>

@@ -17,7 +17,7 @@ def broken(results):
         if not case.runs:
             lines.append(f"{case.name}: {case.error}")
             continue
-        for what in ("crashes", "hangs", "unclear"):
+        for what in ("crashes", "hangs", "unclear", "silent"):
             if case.median(what) > 0:
                 lines.append(f"{case.name}: {what}: {case.median(what):g}")
     return lines

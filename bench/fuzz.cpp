@@ -1,8 +1,13 @@
 // Robustness against damaged inputs: scenes, and meshes of every format (tests/fuzz).  Every input is read by a command
-// in a process of its own.  Each case is one kind of input, with these counters:
+// in a process of its own.
+//
+//   fuzz [--quick] [--inputs=N] [options of Google Benchmark]
+//
+// N: damaged inputs of every kind.  Each case is one kind of input, with these counters:
 //
 //   tried      damaged inputs, except those that ask for a long job
 //   done       commands with exit code 0
+//   silent     commands with exit code 0 and no warning, although the damaged mesh has another size than the whole one
 //   doubtful   commands with exit code 3: done, but the garment is not on the body
 //   refused    commands with exit code 1
 //   failed     commands with exit code 2
@@ -14,6 +19,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 
 #include "bench/program.h"
@@ -32,10 +38,12 @@ void tryDamages(benchmark::State& state, const FuzzKind& kind, unsigned inputs) 
     for (unsigned seed = 1; seed <= inputs; ++seed) {
       const FuzzOutcome outcome = fuzz.attempt(seed);
       ++ends[outcome.end];
-      if (outcome.isFault()) fmt::print(stderr, "{}, seed {}: {}\n", kind.name, seed, outcome.text);
+      if (outcome.isFault() || outcome.end == End::silent)
+        fmt::print(stderr, "{}, seed {}: {}\n", kind.name, seed, outcome.text);
     }
     state.counters["tried"] = static_cast<int>(inputs) - ends[End::not_tried];
     state.counters["done"] = ends[End::done];
+    state.counters["silent"] = ends[End::silent];
     state.counters["doubtful"] = ends[End::doubtful];
     state.counters["refused"] = ends[End::wrong_input];
     state.counters["failed"] = ends[End::failed];
@@ -45,10 +53,11 @@ void tryDamages(benchmark::State& state, const FuzzKind& kind, unsigned inputs) 
   }
 }
 
-void registerAll(bool quick) {
+/// `asked`: damaged inputs of every kind; 0: as many as are usual.
+void registerAll(bool quick, unsigned asked) {
   for (const FuzzKind& kind : fuzzKinds()) {
     const bool is_scene = kind.damaged == "scene.toml";
-    const unsigned inputs = quick ? 20 : is_scene ? 600 : 200;
+    const unsigned inputs = asked > 0 ? asked : quick ? 20 : is_scene ? 600 : 200;
     std::string input = kind.name;
     std::replace(input.begin(), input.end(), ' ', '_');
     benchmark::RegisterBenchmark(("fuzz/input:" + input).c_str(),
@@ -61,5 +70,6 @@ void registerAll(bool quick) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runBenchmarks(argc, argv, "fuzz", registerAll);
+  const unsigned asked = static_cast<unsigned>(std::max(0, std::atoi(takeOption(argc, argv, "inputs", "0").c_str())));
+  return runBenchmarks(argc, argv, "fuzz", [asked](bool quick) { registerAll(quick, asked); });
 }

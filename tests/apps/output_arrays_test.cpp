@@ -1,4 +1,4 @@
-// Tests that the tables of output arrays, the README and the written files agree about the names of the arrays.
+// Tests that the tables of output arrays, docs/results.md and the written files agree about the names of the arrays.
 #include "apps/output_arrays.h"
 
 #include "tests/apps/command.h"
@@ -52,21 +52,21 @@ Arrays declared(const std::vector<OutputArray<Source>>& table) {
 }
 
 template <class Source>
-void appendReadmeLines(const std::vector<OutputArray<Source>>& table, std::string& lines) {
+void appendRows(const std::vector<OutputArray<Source>>& table, std::string& lines) {
   for (const OutputArray<Source>& row : table)
     lines += "| `" + row.name + "` | " + nameOf(row.element) + " | " + (row.unit.empty() ? "" : row.unit + " ") + "| " +
              row.text + " |\n";
 }
 
-/// Returns the rows of the README's table whose first line begins with `heading`.
-std::string readmeRows(const std::string& heading) {
-  const std::string readme = contentOf(EASE_README);
-  const size_t table = readme.find("\n" + heading);
+/// Returns the rows of the table in docs/results.md whose first line begins with `heading`.
+std::string documentedRows(const std::string& heading) {
+  const std::string document = contentOf(EASE_RESULTS_DOCUMENT);
+  const size_t table = document.find("\n" + heading);
   REQUIRE(table != std::string::npos);
-  const size_t rows = readme.find("|---|---|---|---|\n", table) + 18;
-  const size_t end = readme.find("\n\n", rows);
+  const size_t rows = document.find("|---|---|---|---|\n", table) + 18;
+  const size_t end = document.find("\n\n", rows);
   REQUIRE(rows < end);
-  return readme.substr(rows, end + 1 - rows);
+  return document.substr(rows, end + 1 - rows);
 }
 
 /// Returns the arrays of a series, and checks that all its frames have them.
@@ -80,14 +80,14 @@ Arrays arraysOfSeries(const std::filesystem::path& pvd) {
 
 }  // namespace
 
-TEST_CASE("the README lists the arrays as the tables say, row by row") {
+TEST_CASE("docs/results.md lists the arrays as the tables say, row by row") {
   std::string run;
-  appendReadmeLines(runArrays(), run);
-  appendReadmeLines(pieceArrays(), run);
-  CHECK(readmeRows("| array | one for each | unit | what |") == run);
+  appendRows(runArrays(), run);
+  appendRows(pieceArrays(), run);
+  CHECK(documentedRows("| array | one for each | unit | what |") == run);
   std::string made;
-  appendReadmeLines(madeGarmentArrays(), made);
-  CHECK(readmeRows("| array of `garment.vtp` | one for each | unit | what |") == made);
+  appendRows(madeGarmentArrays(), made);
+  CHECK(documentedRows("| array of `garment.vtp` | one for each | unit | what |") == made);
 }
 
 TEST_CASE("the tables hold the arrays that people know, and no others") {

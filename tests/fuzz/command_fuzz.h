@@ -22,6 +22,7 @@ std::vector<FuzzKind> fuzzKinds();
 
 enum class End {
   done,
+  silent,    // done without a warning, although the damaged mesh has another size than the whole one
   doubtful,  // done, and told that the figures say nothing
   wrong_input,
   failed,
@@ -48,10 +49,12 @@ class CommandFuzz {
 
  private:
   int inDirectory() const;
+  FuzzOutcome outcomeOf(const std::string& bytes) const;
 
   FuzzKind kind_;
   std::string program_;
   TemporaryDirectory directory_;
+  std::string whole_size_;  // of the meshes of the undamaged input
 };
 
 }  // namespace ease
