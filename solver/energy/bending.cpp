@@ -2,17 +2,7 @@
 
 namespace ease {
 
-double hingeDamping(const Vec3& b, const HingeDamper& damper) {
-  const double rate = b.norm() - damper.start;
-  return 0.5 * damper.damping_over_h * rate * rate;
-}
-
-Vec3 hingeDampingGradient(const Vec3& b, const HingeDamper& damper) {
-  const double length = b.norm();
-  return length > 0.0 ? Vec3(damper.damping_over_h * (1.0 - damper.start / length) * b) : Vec3::Zero();
-}
-
-Mat3 hingeDampingHessian(const Vec3& b, const HingeDamper& damper, HessianKind kind) {
+Mat3 hingeDampingHessian(const Vec3& b, const HingeDamper<double>& damper, HessianKind kind) {
   const double length = b.norm();
   if (length == 0.0) return Mat3::Zero();
   const double across = damper.damping_over_h * keptEigenvalue(1.0 - damper.start / length, kind);

@@ -1,4 +1,5 @@
-// Damping of bending at one hinge. The elastic part is quadratic and is stored as a matrix (bending_matrix.h).
+// Damping of bending at one hinge, or, with Real = Lanes, at eight side by side. The elastic part is quadratic
+// (step/hinge_forces.h, step/bending_matrix.h).
 //
 //   b = sum_i K_i x_i   hinge vector, 3, m; zero where the four vertices lie in a plane (hinge.h)
 //   w = D / (A0 + A1)   D bending stiffness, N m; A0, A1 rest areas beside the edge
@@ -16,16 +17,25 @@
 
 namespace ease {
 
+constexpr double kShortestBending = 1e-200;  // m: divisor where |b| is zero
+
+template <class Real>
 struct HingeDamper {
-  double damping_over_h;  // w_d/h, N/m
-  double start;           // |b| at the start of the step, m
+  Real damping_over_h;  // w_d/h, N/m
+  Real start;           // |b| at the start of the step, m
+
+  /// Damping energy, J; `bending`: |b|, m.
+  Real energy(const Real& bending) const {
+    const Real rate = bending - start;
+    return 0.5 * damping_over_h * rate * rate;
+  }
+  /// The derivative of the energy with respect to b, N, is this, N/m, times b.
+  Real weight(const Real& bending) const {
+    return damping_over_h * (bending - start) / larger(bending, kShortestBending);
+  }
 };
 
-/// Damping energy, J.
-double hingeDamping(const Vec3& b, const HingeDamper& damper);
-/// Derivative of the damping energy with respect to b, N. Zero where b is zero.
-Vec3 hingeDampingGradient(const Vec3& b, const HingeDamper& damper);
 /// Second derivative of the damping energy with respect to b, N/m. Zero where b is zero.
-Mat3 hingeDampingHessian(const Vec3& b, const HingeDamper& damper, HessianKind kind);
+Mat3 hingeDampingHessian(const Vec3& b, const HingeDamper<double>& damper, HessianKind kind);
 
 }  // namespace ease

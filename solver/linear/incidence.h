@@ -24,6 +24,8 @@ class Incidence {
   std::span<const int> of(int vertex) const {
     return {entries_.data() + start_[vertex], entries_.data() + start_[vertex + 1]};
   }
+  /// How many entries come before those of the vertex.
+  int before(int vertex) const { return start_[vertex]; }
 
  private:
   std::vector<int> start_;

@@ -23,18 +23,11 @@ class BendingMatrix {
 
   bool empty() const { return values_.empty(); }
 
-  /// Adds row i of Q x, N, to `product`, and returns the row's share of 1/2 xᵀ Q x, J:
-  ///   (Q x)_i = sum_j Q_ij (x_j - x_i),   share = -1/4 sum_j Q_ij |x_j - x_i|^2
-  /// Both hold because each row of Q sums to zero. Differences of positions have less round-off than positions.
-  double addRow(int i, const Positions& x, Vec3& product) const {
+  /// Adds row i of Q x, N, to `product`:  (Q x)_i = sum_j Q_ij (x_j - x_i),  because each row of Q sums to zero.
+  /// Differences of positions have less round-off than positions.
+  void addRow(int i, const Positions& x, Vec3& product) const {
     const Vec3 here = x.row(i);
-    double energy = 0.0;
-    for (int k = start_[i]; k < start_[i + 1]; ++k) {
-      const Vec3 apart = x.row(column_[k]).transpose() - here;
-      product += values_[k] * apart;
-      energy -= values_[k] * apart.squaredNorm();
-    }
-    return 0.25 * energy;
+    for (int k = start_[i]; k < start_[i + 1]; ++k) product += values_[k] * (x.row(column_[k]).transpose() - here);
   }
 
   /// Estimates the round-off in the bending energy, the sum over all rows, J.

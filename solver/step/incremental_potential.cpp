@@ -25,12 +25,6 @@ std::vector<int> edgeEnds(const std::vector<Edge>& edges) {
   return ends;
 }
 
-std::vector<int> hingeCorners(const std::vector<Hinge>& hinges) {
-  std::vector<int> corners;
-  for (const Hinge& hinge : hinges) corners.insert(corners.end(), hinge.vertices.begin(), hinge.vertices.end());
-  return corners;
-}
-
 }  // namespace
 
 IncrementalPotential::IncrementalPotential(const Cloth& cloth)
@@ -38,17 +32,16 @@ IncrementalPotential::IncrementalPotential(const Cloth& cloth)
       membrane_(cloth),
       inertial_(cloth.vertexCount(), 3),
       contacts_(cloth, kGroup),
+      hinges_(cloth),
       bending_(cloth.vertexCount(), cloth.hinges()),
       triangle_corners_(cloth.vertexCount(), flat(cloth.triangles())),
       edge_ends_(cloth.vertexCount(), edgeEnds(cloth.topology().edges)),
-      hinge_corners_(cloth.vertexCount(), hingeCorners(cloth.hinges())),
       lanes_((cloth.triangleCount() + kLanes - 1) / kLanes),
       corner_force_(3 * kLanes * lanes_.size()),
       contact_hessian_(contacts_.sampleCount()),
       pressed_(contacts_.sampleCount()),
       frame_hessian_(cloth.triangleCount()),
       hinge_hessian_(cloth.hinges().size()),
-      hinge_force_(cloth.hinges().size()),
       vertex_sums_((cloth.vertexCount() + kGroup - 1) / kGroup) {}
 
 void IncrementalPotential::begin(const State& start, const StepOptions& options) {
@@ -58,19 +51,14 @@ void IncrementalPotential::begin(const State& start, const StepOptions& options)
   inertial_ = start.positions + options.h * start.velocities;
   inertial_.rowwise() += options.h * options.h * options.gravity.transpose();
 
-  const Material& material = cloth_.material();
   if (rest_revision_ != cloth_.restRevision()) {
     rest_revision_ = cloth_.restRevision();
-    bending_.set(cloth_.hinges(), material.bending);
+    bending_.set(cloth_.hinges(), cloth_.material().bending);
   }
   bending_round_off_ = bending_.roundOff(start_);
   membrane_.begin(start.positions, options.h);
   layOutTriangles();
-  if (material.damping_bending > 0.0) {
-    start_bending_.resize(cloth_.hinges().size());
-    parallelFor(static_cast<int>(start_bending_.size()), kGrain,
-                [&](int e) { start_bending_[e] = hingeVector(cloth_.hinges()[e], start.positions).norm(); });
-  }
+  hinges_.begin(start.positions, options.h);
 }
 
 void IncrementalPotential::layOutTriangles() {
@@ -90,10 +78,6 @@ void IncrementalPotential::layOutTriangles() {
 void IncrementalPotential::setContacts(const Contacts& contacts, std::span<const double> normal_forces) {
   const FrictionStart friction{options_.friction, start_, normal_forces};
   contacts_.set(contacts, options_.friction > 0.0 ? &friction : nullptr);
-}
-
-HingeDamper IncrementalPotential::hingeDamper(int e) const {
-  return {cloth_.material().damping_bending / options_.h * cloth_.hinges()[e].inverse_area, start_bending_[e]};
 }
 
 TriangleEdges IncrementalPotential::TriangleLanes::edgesAt(const Positions& x) const {
@@ -184,22 +168,10 @@ double IncrementalPotential::blockForces(int block, std::span<const ContactLanes
   return energy.sum();
 }
 
-double IncrementalPotential::hingeDampingForces(const Positions& x) {
-  if (start_bending_.empty()) return 0.0;
-  partial_.resize(hinge_force_.size());
-  parallelFor(static_cast<int>(hinge_force_.size()), kGrain, [&](int e) {
-    const Vec3 b = hingeVector(cloth_.hinges()[e], x);
-    hinge_force_[e] = hingeDampingGradient(b, hingeDamper(e));
-    partial_[e] = hingeDamping(b, hingeDamper(e));
-  });
-  return std::accumulate(partial_.begin(), partial_.end(), 0.0);
-}
-
 double IncrementalPotential::gradient(const Positions& x, Positions& gradient, StepMotion* motion) {
-  const double energy = triangleForces(x) + hingeDampingForces(x);
+  const double energy = triangleForces(x) + (hinges_.empty() ? 0.0 : hinges_.evaluate(x));
   const double inverse_h2 = 1.0 / (options_.h * options_.h);
   const Vec3 fall = options_.h * options_.h * options_.gravity;  // inertial_ contains this fall
-  const bool damps_bending = !start_bending_.empty();
   parallelFor(static_cast<int>(vertex_sums_.size()), 1, [&](int g) {
     VertexSums sums{};
     for (int i = g * kGroup; i < std::min((g + 1) * kGroup, cloth_.vertexCount()); ++i) {
@@ -209,10 +181,8 @@ double IncrementalPotential::gradient(const Positions& x, Positions& gradient, S
       sums.motion.all += mass * (here - start_.row(i).transpose()).squaredNorm();
       sums.motion.forced += mass * (ahead + fall).squaredNorm();
       Vec3 sum = mass * ahead;
-      if (!bending_.empty()) sums.energy += bending_.addRow(i, x, sum);
       for (int k : triangle_corners_.of(i)) sum += corner_force_[k];
-      if (damps_bending)
-        for (int k : hinge_corners_.of(i)) sum += cloth_.hinges()[k / 4].stencil[k % 4] * hinge_force_[k / 4];
+      if (!hinges_.empty()) sum += hinges_.sumAt(i);
       gradient.row(i) = sum;
     }
     vertex_sums_[g] = sums;

@@ -22,7 +22,6 @@
 #include <span>
 #include <vector>
 
-#include "solver/energy/bending.h"
 #include "solver/energy/contact.h"
 #include "solver/energy/membrane.h"
 #include "solver/linear/block_matrix.h"
@@ -30,6 +29,7 @@
 #include "solver/model/cloth.h"
 #include "solver/step/bending_matrix.h"
 #include "solver/step/contact_lanes.h"
+#include "solver/step/hinge_forces.h"
 #include "solver/step/state.h"
 
 namespace ease {
@@ -119,12 +119,10 @@ class IncrementalPotential {
     StepMotion motion;
   };
 
-  HingeDamper hingeDamper(int e) const;
   void layOutTriangles();
   double triangleForces(const Positions& x);
   double blockForces(int block, std::span<const ContactLanes> contacts, std::span<const FrictionLanes> frictions,
                      const Positions& x);
-  double hingeDampingForces(const Positions& x);
   /// Calls add(contact, lane, depth) for each sample that is pressed at x, one after the other; depth in m. With
   /// `bound`, for every sample that has a plane, at a depth of at least its `give`.
   template <class Add>
@@ -171,13 +169,13 @@ class IncrementalPotential {
   MembraneEnergy membrane_;
   int rest_revision_ = -1;  // revision of the cloth's rest shape for which the bending matrix was computed
   StepOptions options_;
-  Positions start_;                    // x_n
-  Positions inertial_;                 // y
-  std::vector<double> start_bending_;  // |b| of each hinge at the start of the step; empty without damping
+  Positions start_;     // x_n
+  Positions inertial_;  // y
   ContactLayout contacts_;
+  HingeForces hinges_;
 
   BendingMatrix bending_;
-  Incidence triangle_corners_, edge_ends_, hinge_corners_;
+  Incidence triangle_corners_, edge_ends_;
   // Results per element: written by a loop over elements, then gathered by a loop over vertices.
   std::vector<TriangleLanes> lanes_;
   std::vector<Vec3> corner_force_;     // dE/dx at corner a of triangle t, N: corner_force_[3 t + a]
@@ -185,7 +183,6 @@ class IncrementalPotential {
   std::vector<char> pressed_;          // whether contact_hessian_ of the sample is set; otherwise it counts as zero
   std::vector<FrameHessian> frame_hessian_;
   std::vector<Mat3> hinge_hessian_;
-  std::vector<Vec3> hinge_force_;
   double bending_round_off_ = 0.0;       // J
   std::vector<double> partial_;          // energies of groups, added up in a fixed order
   std::vector<VertexSums> vertex_sums_;  // sums of groups of vertices, added up in a fixed order

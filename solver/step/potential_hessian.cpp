@@ -19,9 +19,9 @@ void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMa
     frame_hessian_[t] = membrane_.hessian(F, t, kind);
     frame_hessian_[t] *= cloth_.membraneWeights()[t];
   });
-  if (!start_bending_.empty())
+  if (hinges_.damps())
     parallelFor(static_cast<int>(hinge_hessian_.size()), kGrain, [&](int e) {
-      hinge_hessian_[e] = hingeDampingHessian(hingeVector(cloth_.hinges()[e], x), hingeDamper(e), kind);
+      hinge_hessian_[e] = hingeDampingHessian(hingeVector(cloth_.hinges()[e], x), hinges_.damper(e), kind);
     });
   std::fill(pressed_.begin(), pressed_.end(), 0);
   forPressed(x, false, [&](const ContactLanes& contact, int lane, double depth) {
@@ -76,15 +76,14 @@ void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMa
 
 void IncrementalPotential::addBendingProduct(const Positions& d, Positions& product) {
   if (bending_.empty()) return;
-  const bool damps = !start_bending_.empty();
-  if (damps)
-    parallelFor(static_cast<int>(hinge_force_.size()), kGrain,
-                [&](int e) { hinge_force_[e] = hinge_hessian_[e] * hingeVector(cloth_.hinges()[e], d); });
+  std::vector<Vec3>& damping = hinges_.vectors();
+  if (hinges_.damps())
+    parallelFor(hinges_.count(), kGrain,
+                [&](int e) { damping[e] = hinge_hessian_[e] * hingeVector(cloth_.hinges()[e], d); });
   parallelFor(cloth_.vertexCount(), kGrain, [&](int i) {
     Vec3 sum = product.row(i);
     bending_.addRow(i, d, sum);
-    if (damps)
-      for (int k : hinge_corners_.of(i)) sum += cloth_.hinges()[k / 4].stencil[k % 4] * hinge_force_[k / 4];
+    if (hinges_.damps()) sum += hinges_.sumAt(i);
     product.row(i) = sum;
   });
 }

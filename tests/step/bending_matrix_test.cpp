@@ -26,13 +26,14 @@ struct Bent {
     material.bending = kStiffness;
     return material;
   }
-  /// Adds the matrix times `at` to `product` and returns the energy of all rows, J.
+  /// Adds the matrix times `at` to `product` and returns the energy, J.
   double add(const Positions& at, Positions& product) const {
     double energy = 0.0;
     for (int i = 0; i < at.rows(); ++i) {
-      Vec3 row = product.row(i);
-      energy += matrix.addRow(i, at, row);
-      product.row(i) = row;
+      Vec3 row = Vec3::Zero();
+      matrix.addRow(i, at, row);
+      energy += 0.5 * row.dot(at.row(i) - at.row(0));
+      product.row(i) += row.transpose();
     }
     return energy;
   }
