@@ -122,6 +122,7 @@ FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, con
   Conjugate conjugate;
   size_t since = 0;  // number of energies when the last region was joined to another
   const auto join = [&] {
+    if (!settings.joins) return false;
     std::optional<RegionLevels> next = joined(surface, result.levels, result.energies.back(), energy, project);
     const double reached = energy(next ? *next : result.levels);
     if (!next) return false;

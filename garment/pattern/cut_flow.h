@@ -22,6 +22,7 @@ struct FlowSettings {
   CutWeights weights;
   int steps = 500;          // at most
   double tolerance = 1e-4;  // ends where the energy falls by less than this share in ten steps
+  bool joins = true;        // small regions to others, where that lowers the energy
 };
 
 struct FlowResult {

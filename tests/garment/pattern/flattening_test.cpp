@@ -136,3 +136,17 @@ TEST_CASE("the garment sewn from flat pieces has the same rest shape where these
   const std::vector<Mat2> sewn = sewnEdges(pattern);
   for (size_t t = 0; t < sewn.size(); ++t) CHECK((sewn[t] - sheet.rest_edges[t]).norm() < 1e-9);
 }
+
+TEST_CASE("every piece may have a stiffness in shear of its own") {
+  const RestGarment cap = restGarment(bentSheet(12, 0.6, [](double x, double y) { return 0.3 * (x * x + y * y); }));
+  FlatSettings settings;
+  const FlatPattern pattern = flattenGarment(cap, settings);
+  const auto shearWith = [&](const std::vector<double>& shear_of_piece) {
+    const Flattened flat = flatten(pattern.flat, {}, settings.woven, &pattern.x, shear_of_piece);
+    return strainOf(pattern.flat, flat.x, threadStrains(pattern.flat, flat.x), pattern.cut.pieces.piece, 0,
+                    settings.limits)
+        .shear_p99;
+  };
+  CHECK(shearWith({settings.woven.shear}) == shearWith({}));
+  CHECK(shearWith({0.2 * settings.woven.shear}) > 1.1 * shearWith({}));
+}

@@ -36,10 +36,3 @@ TEST_CASE("a strongly bent sheet keeps its seam") {
       restGarment(bentSheet(12, 0.5, [](double x, double y) { return 3.0 * (x * x + y * y); }), {column(12, 6)});
   CHECK(neededSeams(garment, 0, {}, {}).size() == 1);
 }
-
-TEST_CASE("narrow and small pieces are told from others") {
-  const RestGarment garment = restGarment(bentSheet(50, 1.0, [](double, double) { return 0.0; }), {column(50, 1)});
-  const Pieces pieces = cutIntoPieces(garment.mesh, garment.seams);
-  REQUIRE(pieces.count == 2);
-  CHECK(isTooSmall(garment, pieces, 0, {}) != isTooSmall(garment, pieces, 1, {}));
-}
