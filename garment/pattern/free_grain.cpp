@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 #include "garment/pattern/dart_trial.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr double kDegree = M_PI / 180.0;
 constexpr int kCoarse = 15, kFine = 5;  // degrees
 constexpr double kGain = 0.95;          // of the mean stretch of the threads, at most
+constexpr double kMinGain = 5e-4;       // of that stretch, at least
 constexpr double kTolerance = 1e-9;     // m^2, of areas over the limits that are compared
 constexpr int kIterations = 120;        // of a trial
 
@@ -30,7 +32,8 @@ class Turning {
     const bool is_even = settings_.woven.warp == settings_.woven.weft;  // then a quarter turn changes nothing
     const int half = is_even ? 45 : 90;
     int best = 0;
-    double least = kGain * given_.strain.thread_mean;
+    const double given = given_.strain.thread_mean;
+    double least = std::min(kGain * given, given - kMinGain);
     const auto attempt = [&](int degrees) {
       const double reached = stretchAt(degrees);
       if (reached >= least) return;

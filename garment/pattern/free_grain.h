@@ -3,7 +3,8 @@
 //   D' = R(-theta) D     rest edges in the axes of threads that are turned by theta against the garment's warp
 //
 // Angles are tried every 15 degrees, then 5 to either side of the best one.  A turned grain must spare a twentieth of
-// the stretch, may not bring more cloth over the limits, and the piece must fit on the cloth.
+// the stretch and 0.05 % of length in the mean, may not bring more cloth over the limits, and the piece must fit on the
+// cloth.
 #pragma once
 
 #include "garment/pattern/flat_pattern.h"

@@ -54,11 +54,12 @@ TEST_CASE("pieces flattened again for longer threads are longer, and keep what w
 }
 
 TEST_CASE("a piece far below the limit of shear shears more, so that its threads stretch less") {
-  const RestGarment cap = restGarment(bentSheet(12, 0.6, [](double x, double y) { return 0.2 * (x * x + y * y); }));
+  const RestGarment cap = restGarment(bentSheet(12, 0.6, [](double x, double y) { return 0.5 * (x * x + y * y); }));
   FlatSettings settings;
+  settings.max_darts = 0;
   const FlatPattern softer = flattenGarment(cap, settings);
   FlatSettings narrow = settings;
-  narrow.limits.shear = 1.01 * softer.pieces.front().strain.shear_p99;  // no room left
+  narrow.limits.shear = 1e-6;  // no room
   const FlatPattern stiffer = flattenGarment(cap, narrow);
   CHECK(softer.shear.front() < settings.woven.shear);
   CHECK(stiffer.shear.front() == settings.woven.shear);

@@ -81,6 +81,7 @@ TEST_CASE("cloth whose threads are stiff shears where it cannot lie flat, and it
   woven.max_darts = even.max_darts = 0;
   woven.limits.shear = woven.woven.shear_limit = 1.0;
   even.woven.shear = 1.0;
+  even.limits.shear = 1e-6;  // so that shear is not softened
   const StrainSummary soft = flattenGarment(cap, woven).pieces.front().strain,
                       stiff = flattenGarment(cap, even).pieces.front().strain;
   CHECK(soft.thread_mean < 0.8 * stiff.thread_mean);

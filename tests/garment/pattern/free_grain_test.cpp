@@ -12,7 +12,7 @@ namespace {
 
 /// A saddle, which threads along its diagonals fit without stretch, with threads turned from there by an angle, rad.
 RestGarment saddle(double angle) {
-  const RestGarment along = restGarment(bentSheet(14, 0.5, [](double x, double y) { return 0.9 * x * y; }));
+  const RestGarment along = restGarment(bentSheet(14, 0.5, [](double x, double y) { return 2.5 * x * y; }));
   Pieces whole;
   whole.count = 1;
   whole.piece.assign(along.rest_edges.size(), 0);
