@@ -31,6 +31,7 @@ class Removal {
       : garment_(garment),
         kept_(garment.seams.begin(), garment.seams.begin() + static_cast<long>(kept)),
         seams_(garment.seams),
+        given_(settings),
         settings_(strictLimits(settings)),
         size_(size),
         mirror_(mirror) {
@@ -144,7 +145,7 @@ class Removal {
       over += alone[p].badness.over;
       box += alone[p].box.prod();
     }
-    bool keeps_limits = true;
+    bool keeps_limits = true, keeps_given = mends;
     for (const int p : unions) {
       const PieceTrial trial = tryPiece(garment_, joined, p, settings_);
       if (!trial.is_sound || trial.box.y() > size_.widest) return;
@@ -153,8 +154,9 @@ class Removal {
       over -= trial.badness.over;
       box -= trial.box.prod() / kMoreCloth;
       keeps_limits = keeps_limits && trial.keeps;
+      keeps_given = keeps_given && (trial.keeps || tryPiece(garment_, joined, p, given_).keeps);
     }
-    if (saved < kMinSaving || box < 0.0 || !(keeps_limits || (mends && over >= 0.0))) return;
+    if (saved < kMinSaving || box < 0.0 || !(keeps_limits || keeps_given || (mends && over >= 0.0))) return;
     candidate.cost = energy / saved;
   }
 
@@ -169,7 +171,7 @@ class Removal {
   const RestGarment& garment_;
   const std::vector<Seam> kept_;
   std::vector<Seam> seams_;
-  const FlatSettings settings_;
+  const FlatSettings given_, settings_;  // as of the pattern, and stricter
   const SewableSize size_;
   const std::optional<double> mirror_;
   EdgeSet kept_edges_;

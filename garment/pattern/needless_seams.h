@@ -7,7 +7,7 @@
 // three fifths of the limit on 99 % of its area (the whole limit is for what nothing else can mend), it is not wider
 // than the cloth, and the rectangle around it is at most a quarter larger than those around both pieces: what winds
 // around the body in one piece wastes cloth.  Pieces that are too small or too narrow to sew come first, and may also
-// join a neighbour with which they are no further over the limits than both were before.
+// join a neighbour with which they keep the pattern's own limits, or are no further over the strict ones than before.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,7 @@
 #include "garment/pattern/straight_cuts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "garment/pattern/region_chains.h"
@@ -10,6 +11,7 @@ namespace ease {
 namespace {
 
 constexpr double kMoreLength = 1.15;  // weight of the length, from one round to the next
+constexpr int kFailures = 2;          // rounds beyond what is allowed, each then tried with half of the step
 constexpr int kRounds = 12;
 constexpr int kSteps = 60;               // of the flow in a round
 constexpr double kFlowTolerance = 1e-3;  // of the flow in a round
@@ -86,13 +88,22 @@ LevelCut straightest(const CutPlace& place, LevelCut given, const FlowSettings& 
   settings.tolerance = std::max(flow.tolerance, kFlowTolerance);
   settings.joins = false;
   RegionLevels levels = levelsOfPieces(place, given.levels, given.cut);
-  for (int round = 0; round < kRounds && first.is_sound; ++round) {
-    settings.weights.length *= kMoreLength;
-    levels = followFlow(place.surface, levels, settings, project).levels;
-    CutUp cut = cutAlongRegions(place.garment, place.pieces, place.surface, mapOf(place.surface, levels));
+  double more = kMoreLength;
+  for (int round = 0, failures = 0; round < kRounds && first.is_sound && failures < kFailures; ++round) {
+    FlowSettings next = settings;
+    next.weights.length *= more;
+    const RegionLevels straighter = followFlow(place.surface, levels, next, project).levels;
+    CutUp cut = cutAlongRegions(place.garment, place.pieces, place.surface, mapOf(place.surface, straighter));
     const double now = lengthOfSeams(cut.garment.seams, cut.garment.mesh.positions);
-    if (now > kShorter * length) continue;
-    if (!isFit(fitnessOf(cut.garment, flat, size), first, flat.limits.thread)) break;
+    const bool is_shorter = now < kShorter * length;
+    if (is_shorter && !isFit(fitnessOf(cut.garment, flat, size), first, flat.limits.thread)) {
+      more = std::sqrt(more);  // and from the same lines again
+      ++failures;
+      continue;
+    }
+    settings = next;
+    levels = straighter;
+    if (!is_shorter) continue;
     length = now;
     given = {levels, std::move(cut), settings.weights.length};
   }

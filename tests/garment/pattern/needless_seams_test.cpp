@@ -36,3 +36,15 @@ TEST_CASE("a strongly bent sheet keeps its seam") {
       restGarment(bentSheet(12, 0.5, [](double x, double y) { return 3.0 * (x * x + y * y); }), {column(12, 6)});
   CHECK(neededSeams(garment, 0, {}, {}).size() == 1);
 }
+
+TEST_CASE("a strip too narrow to sew joins its neighbour where both keep the pattern's own limits") {
+  const RestGarment garment =
+      restGarment(bentSheet(30, 0.6, [](double x, double y) { return 0.9 * (x * x + y * y); }), {column(30, 1)});
+  FlatSettings settings;
+  settings.limits.shear = 1.0;
+  settings.limits.thread = 1e-3;
+  const Pieces whole = cutIntoPieces(garment.mesh, {});
+  while (!tryPiece(garment, whole, 0, settings).keeps) settings.limits.thread *= 1.05;
+  REQUIRE_FALSE(tryPiece(garment, whole, 0, strictLimits(settings)).keeps);
+  CHECK(neededSeams(garment, 0, settings, {}).empty());
+}
