@@ -80,7 +80,7 @@ RegionLevels levelsOfPieces(const CutPlace& place, const RegionLevels& levels, c
 }
 
 LevelCut straightest(const CutPlace& place, LevelCut given, const FlowSettings& flow, const FlatSettings& flat,
-                     const SewableSize& size, const std::function<void(RegionLevels&)>& project) {
+                     const SewableSize& size, const MirrorLevels* mirror) {
   const Fitness first = fitnessOf(given.cut.garment, flat, size);
   double length = lengthOfSeams(given.cut.garment.seams, given.cut.garment.mesh.positions);
   FlowSettings settings = flow;
@@ -88,11 +88,12 @@ LevelCut straightest(const CutPlace& place, LevelCut given, const FlowSettings& 
   settings.tolerance = std::max(flow.tolerance, kFlowTolerance);
   settings.joins = false;
   RegionLevels levels = levelsOfPieces(place, given.levels, given.cut);
+  if (mirror) (*mirror)(levels);
   double more = kMoreLength;
   for (int round = 0, failures = 0; round < kRounds && first.is_sound && failures < kFailures; ++round) {
     FlowSettings next = settings;
     next.weights.length *= more;
-    const RegionLevels straighter = followFlow(place.surface, levels, next, project).levels;
+    const RegionLevels straighter = followFlow(place.surface, levels, next, mirror).levels;
     CutUp cut = cutAlongRegions(place.garment, place.pieces, place.surface, mapOf(place.surface, straighter));
     const double now = lengthOfSeams(cut.garment.seams, cut.garment.mesh.positions);
     const bool is_shorter = now < kShorter * length;

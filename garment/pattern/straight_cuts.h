@@ -29,8 +29,8 @@ struct CutPlace {
 /// Levels with one label for each piece of the cut garment, whose lines are those of its seams.
 RegionLevels levelsOfPieces(const CutPlace& place, const RegionLevels& levels, const CutUp& cut);
 
-/// The straightest lines that were found; `given` itself where none are straighter.  `project` as in followFlow().
+/// The straightest lines that were found; `given` itself where none are straighter.  `mirror` as in followFlow().
 LevelCut straightest(const CutPlace& place, LevelCut given, const FlowSettings& flow, const FlatSettings& flat,
-                     const SewableSize& size, const std::function<void(RegionLevels&)>& project);
+                     const SewableSize& size, const MirrorLevels* mirror);
 
 }  // namespace ease

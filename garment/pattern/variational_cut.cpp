@@ -25,29 +25,30 @@ FoundCuts findCuts(const RestGarment& given, const CutSettings& settings, const 
   const RestSurface surface = restSurface(pieces.mesh, garment.rest_edges);
   const Clusters clusters = normalClusters(surface);
   RegionLevels start = levelsFrom(surface, clusters.label, clusters.labels);
-  std::function<void(RegionLevels&)> project;
+  std::optional<MirrorLevels> symmetry;
   const double plane = settings.plane.value_or(middlePlane(surface));
   if (settings.is_symmetric) {
     const double low = garment.mesh.positions.col(0).minCoeff(), high = garment.mesh.positions.col(0).maxCoeff();
     if (plane <= low || plane >= high)
       throw InputError(
           fmt::format("symmetric = {:g}: the plane misses the garment: expected {:.3f} to {:.3f} m", plane, low, high));
-    project = MirrorLevels(surface, plane, kReach * surface.mean_edge);
-    project(start);
+    symmetry.emplace(surface, plane, kReach * surface.mean_edge);
+    (*symmetry)(start);
   }
-  const FlowResult flow = followFlow(surface, start, settings.flow, project);
+  const MirrorLevels* const mirror = symmetry ? &*symmetry : nullptr;
+  const FlowResult flow = followFlow(surface, start, settings.flow, mirror);
   found.energies = flow.energies;
   found.cut = cutAlongRegions(garment, pieces, surface, mapOf(surface, flow.levels));
   RestGarment& cut = found.cut.garment;
   const size_t kept = garment.seams.size();
   found.length_before = lengthOfSeams(cut.seams, cut.mesh.positions);
   found.pieces_before = cutIntoPieces(cut.mesh, cut.seams).count;
-  const std::optional<double> mirror = settings.is_symmetric ? std::optional<double>(plane) : std::nullopt;
-  if (settings.remove) cut.seams = neededSeams(cut, kept, flat, settings.size, mirror);
+  const std::optional<double> halves = settings.is_symmetric ? std::optional<double>(plane) : std::nullopt;
+  if (settings.remove) cut.seams = neededSeams(cut, kept, flat, settings.size, halves);
   found.length_weight = settings.flow.weights.length;
   if (settings.straighten) {
     LevelCut straight = straightest({garment, pieces, surface}, {flow.levels, found.cut, found.length_weight},
-                                    settings.flow, flat, settings.size, project);
+                                    settings.flow, flat, settings.size, mirror);
     found.cut = std::move(straight.cut);
     found.length_weight = straight.length_weight;
   }
