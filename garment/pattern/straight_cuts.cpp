@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kMoreLength = 1.15;  // weight of the length, from one round to the next
 constexpr int kFailures = 2;          // rounds beyond what is allowed, each then tried with half of the step
-constexpr int kRounds = 12;
-constexpr int kSteps = 60;               // of the flow in a round
+constexpr int kRounds = 8;
+constexpr int kSteps = 20;               // of the flow in a round
 constexpr double kFlowTolerance = 1e-3;  // of the flow in a round
 constexpr double kTolerance = 1e-9;      // m^2
 constexpr double kShorter = 0.998;       // of the length of the seams, for a round to count
