@@ -12,15 +12,17 @@
 
 #include "apps/commands.h"
 #include "apps/cut_input.h"
+#include "apps/flat_settings.h"
 #include "apps/frames.h"
 #include "apps/garment_files.h"
 #include "apps/job.h"
+#include "apps/page/garment_areas.h"
 #include "apps/page/pattern_in_page.h"
+#include "apps/painted_rest.h"
 #include "apps/pattern_files.h"
 #include "apps/result_directory.h"
 #include "apps/scene_run.h"
 #include "apps/words.h"
-#include "garment/named_loop.h"
 #include "solver/base/error.h"
 #include "viz/vtp_arrays.h"
 
@@ -58,24 +60,12 @@ std::string sceneOf(const fs::path& directory) {
   return scene;
 }
 
-WovenSettings wovenOf(const Material& material, const StrainLimits& limits) {
-  WovenSettings woven;
-  woven.shear_limit = limits.shear;
-  if (material.membrane == Membrane::isotropic) {  // (warp, weft) any two directions: shear is half of a stretch
-    woven.shear = 0.5;
-    return woven;
-  }
-  const double largest = std::max({material.stretch_warp, material.stretch_weft, 1e-9});
-  constexpr double kMinStiffness = 0.02;  // of the largest: cloth that resists nothing along a thread has no shape
-  woven.warp = std::max(kMinStiffness, material.stretch_warp / largest);
-  woven.weft = std::max(kMinStiffness, material.stretch_weft / largest);
-  // Shear at its limit is to cost somewhat less than stretch at its own, however stiff the material is: only then are
-  // both limits reached by the same shape.  The share was found on shirt_4270: with 1, threads are over 5 % on 2.0 % of
-  // the cloth and shear is 12.2 degrees at 99 %, with 0.7 on 1.5 % and 13.6 degrees.
-  constexpr double kShareOfStretch = 0.7;
-  const double by_limits = kShareOfStretch * std::pow(limits.thread / (0.5 * limits.shear), 2);
-  woven.shear = std::clamp(std::min(material.shear / largest, by_limits), kMinStiffness, 1.0);
-  return woven;
+/// Calls `make`; says of its InputErrors which scene's pattern they are about.
+template <class Make>
+void ofPattern(const Scene& scene, const Make& make) try {
+  make();
+} catch (const InputError& error) {
+  throw InputError(fmt::format("{}: [pattern] {}", scene.file.string(), error.what()));
 }
 
 /// Reads the rest shape that a run wrote, numbered as the garment's file, as that of the garment.
@@ -123,6 +113,30 @@ void checkSameLimit(const nlohmann::json& report, const Scene& scene, const fs::
                   run.string(), inWords(of_run), inWords(limit)));
 }
 
+/// Throws InputError where the garment as it is before the run cannot be cut along its seams, or has a piece that is
+/// too wide for the cloth: pieces are let out, hardly ever taken in.
+void checkPieces(const Scene& scene, const SceneInput& input, FlatSettings settings) {
+  constexpr double kTakenIn = 0.95;  // of a piece's width, at least, that the rest shape's has
+  Cloth cloth(input.garment, scene.garment.grain, scene.material);
+  if (!input.paint.empty()) paintFirstRest(input.paint, cloth);
+  settings.max_darts = 0;
+  const FlatPattern pattern = flattenGarment(
+      {{cloth.restPositions(), input.garment.triangles}, cloth.restEdges(), input.seams, loopsOf(input)}, settings);
+  std::vector<double> low(pattern.pieces.size(), INFINITY), high(pattern.pieces.size(), -INFINITY);
+  for (const PieceEdge& edge : pattern.cut.edges)
+    for (const int v : edge.vertices) {
+      low[edge.piece] = std::min(low[edge.piece], pattern.x(v, 1));
+      high[edge.piece] = std::max(high[edge.piece], pattern.x(v, 1));
+    }
+  for (size_t p = 0; p < low.size(); ++p)
+    if (const double width = high[p] - low[p]; kTakenIn * width > settings.widest)
+      throw InputError(fmt::format(
+          "fabric_width = {:g}: piece '{}' is about {:.2f} m wide across the grain, and {:.2f} m with its allowance: "
+          "expected wider fabric, or a seam that divides the piece",
+          scene.pattern.fabric_width, pattern.pieces[p].name, width,
+          width + scene.pattern.fabric_width - settings.widest));
+}
+
 /// Throws InputError where an allowance is given for a seam or loop that no piece has.
 void checkAllowanceNames(const Allowances& allowances, const CutGarment& cut) {
   std::set<std::string> known;
@@ -157,6 +171,7 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
           fmt::format("{}: [garment] has no [[garment.seam]] and [pattern.cuts] method = 'none': expected seams, along "
                       "which a pattern is cut, or method = 'variational'",
                       scene.file.string()));
+    const FlatSettings settings = flatSettings(scene);
     const ResultDirectory results(directory);
     bool doubtful = false;
     if (const nlohmann::json report = finishedReport(run); !report.is_null()) {
@@ -167,6 +182,7 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
                                    run.string(), doubt.get<std::string>()));
       }
     } else {
+      if (!finds_cuts) ofPattern(scene, [&] { checkPieces(scene, input, settings); });
       fmt::print("no finished run in {}: the scene is run first\n", run.string());
       if (input.authored) writeGarment(scene, input, directory, interrupted);
       const RunEnd end = runScene(scene, input, directory, interrupted);
@@ -180,16 +196,12 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
 
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    FlatSettings settings{scene.pattern.limits, wovenOf(scene.material, scene.pattern.limits), scene.pattern.max_darts,
-                          scene.pattern.names};
-    if (input.loops.empty())
-      input.loops = nameLoops(buildTopology(input.garment, "the garment"), input.garment.positions);
-    RestGarment garment{{rest.positions, input.garment.triangles}, rest.edges, input.seams, input.loops};
+    RestGarment garment{{rest.positions, input.garment.triangles}, rest.edges, input.seams, loopsOf(input)};
     MadePattern made;
-    try {
+    ofPattern(scene, [&] {
       if (finds_cuts) {
         CutSettings cuts = scene.pattern.cuts.value_or(CutsScene()).settings;
-        cuts.size.widest = scene.pattern.fabric_width - 2.0 * scene.pattern.allowances.widest();
+        cuts.size.widest = settings.widest;
         made.cuts = findCuts(garment, cuts, settings);
         garment = made.cuts->cut.garment;
         cutInput(made.cuts->cut, input, rest);
@@ -198,9 +210,7 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
       checkAllowanceNames(scene.pattern.allowances, made.flat.cut);
       made.file_vertex = fileVertices(input, made.flat.cut.pieces.glue);
       drawPattern(scene, made);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: [pattern] {}", scene.file.string(), error.what()));
-    }
+    });
     made.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
     if (scene.pattern.check) {
       fmt::print("pattern   {} pieces in {:.1f} s; the garment sewn from them is simulated\n", made.flat.pieces.size(),

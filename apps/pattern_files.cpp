@@ -36,20 +36,22 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
   for (const FlatPiece& piece : flat.pieces) {
     darts += piece.darts;
     text += fmt::format(
-        "{:<22} {:.3f} m^2, threads {:.1f} % at 98 %, over {:g} % on {:.2f} %, shear {:.1f} deg at 99 %, {} dart{}\n",
+        "{:<22} {:.3f} m^2, threads {:.1f} % at 98 %, over {:g} % on {:.2f} %, shear {:.1f} deg at 99 %, {} dart{}{}\n",
         piece.name, piece.strain.area, 100.0 * piece.strain.thread_p98, 100.0 * scene.pattern.limits.thread,
         100.0 * piece.strain.thread_over_share, piece.strain.shear_p99 * 180.0 / M_PI, piece.darts,
-        piece.darts == 1 ? "" : "s");
+        piece.darts == 1 ? "" : "s",
+        piece.grain == 0.0 ? "" : fmt::format(", grain turned by {:+.0f} deg", piece.grain * 180.0 / M_PI));
   }
   text += fmt::format(
-      "pattern   {} pieces, {} darts, {:.2f} m of seams, sides equal within {:.2f} mm; {:.2f} m of cloth {:g} m wide; "
+      "pattern   {} pieces, {} darts, {:.2f} m to sew, sides equal within {:.2f} mm; {:.2f} m of cloth {:g} m wide; "
       "{:.1f} s\n",
       flat.pieces.size(), darts, seams, 1e3 * worst_side, 1e-3 * made.cloth_length_mm, scene.pattern.fabric_width,
       made.wall_s);
   if (made.cuts)
     text += fmt::format(
-        "cuts      found in {} steps in {:.1f} s: {} pieces, {:.2f} m of cuts before needless ones were removed\n",
-        made.cuts->energies.size() - 1, made.cuts->wall_s, made.cuts->pieces_before, made.cuts->length_before);
+        "cuts      found in {} steps in {:.1f} s: {} pieces, {:.2f} m of seams, and {:.2f} m without needless ones\n",
+        made.cuts->energies.size() - 1, made.cuts->wall_s, made.cuts->pieces_before, made.cuts->length_before,
+        made.cuts->length);
   if (!made.resewn) return text;
   const Resewn& resewn = *made.resewn;
   const auto line = [&](const ResewnPose& pose) {

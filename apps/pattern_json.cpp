@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "solver/base/whole_file.h"
@@ -45,6 +46,8 @@ Json cutsJson(const FoundCuts& cuts) {
           {"energy", cuts.energies.back()},
           {"pieces_before_removal", cuts.pieces_before},
           {"length_before_removal_m", cuts.length_before},
+          {"length_m", cuts.length},
+          {"length_weight", cuts.length_weight},
           {"wall_s", cuts.wall_s}};
 }
 
@@ -53,6 +56,7 @@ Json figuresOf(const Scene& scene, const MadePattern& made) {
   Json json;
   json["pieces"] = Json::array();
   double cloth = 0.0, seams = 0.0;
+  std::map<std::string, double> by_kind = {{"seam", 0.0}, {"opening", 0.0}, {"dart", 0.0}};
   int darts = 0, flipped = 0;
   for (const FlatPiece& piece : flat.pieces) {
     json["pieces"].push_back({{"name", piece.name},
@@ -64,6 +68,7 @@ Json figuresOf(const Scene& scene, const MadePattern& made) {
                               {"within_limits", keeps(piece.strain, scene.pattern.limits)},
                               {"flipped", piece.strain.flipped},
                               {"crosses_itself", piece.crosses_itself},
+                              {"grain_deg", piece.grain * 180.0 / M_PI},
                               {"darts", piece.darts}});
     darts += piece.darts;
     flipped += piece.strain.flipped;
@@ -81,9 +86,11 @@ Json figuresOf(const Scene& scene, const MadePattern& made) {
                              {"difference_mm", 1e3 * difference},
                              {"difference_mean_percent", 100.0 * difference / sides.rest_length}});
     seams += sides.rest_length;
+    by_kind[nameOf(flat.lines[sides.line].kind)] += sides.rest_length;
   }
   for (const DrawnPiece& piece : made.pieces) cloth += 1e-6 * piece.quantity * areaWithin(piece.cut);
-  json["length_of_seams_m"] = seams;
+  json["length_of_seams_m"] = seams;  // all that is sewn, once
+  json["length_by_kind_m"] = by_kind;
   json["cloth_m2"] = cloth;
   json["fabric_width_m"] = scene.pattern.fabric_width;
   json["fabric_length_m"] = 1e-3 * made.cloth_length_mm;

@@ -1,5 +1,7 @@
 #include "apps/scene_pattern.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +33,7 @@ Allowances readAllowances(const TomlTable& table) {
 }
 
 CutsScene readCuts(const TomlTable& table) {
-  table.allow({"method", "distortion_weight", "length_weight", "steps", "keep", "symmetric", "remove"});
+  table.allow({"method", "distortion_weight", "length_weight", "steps", "keep", "symmetric", "remove", "straighten"});
   CutsScene cuts;
   cuts.finds = table.choice("method", "variational", {"variational", "none"}) == "variational";
   CutSettings& settings = cuts.settings;
@@ -47,6 +49,7 @@ CutsScene readCuts(const TomlTable& table) {
     settings.is_symmetric = table.boolean("symmetric", false);
   }
   settings.remove = table.boolean("remove", settings.remove);
+  settings.straighten = table.boolean("straighten", settings.straighten);
   return cuts;
 }
 
@@ -54,18 +57,24 @@ CutsScene readCuts(const TomlTable& table) {
 
 PatternScene readPattern(const TomlTable& table) {
   table.allow({"thread_limit", "shear_limit", "share", "darts", "allowance", "fabric_width", "paper", "formats",
-               "piece", "check", "let_out", "cuts"});
+               "grain", "piece", "check", "let_out", "cuts"});
   PatternScene pattern;
   pattern.limits.thread = table.number("thread_limit", pattern.limits.thread, {0.0, 1.0, true, ""});
   const double degrees = table.number("shear_limit", 180.0 / M_PI * pattern.limits.shear, {0.0, 60.0, true, "degrees"});
   pattern.limits.shear = degrees * M_PI / 180.0;
   pattern.limits.share = table.number("share", pattern.limits.share, {0.0, 1.0, false, ""});
+  if (table.has("darts") && (table.isText("darts") || table.isArray("darts") || table.isTable("darts")))
+    table.refuse("darts", "true, false, or how many at most, 0 to 100");
   if (table.isBoolean("darts"))
     pattern.max_darts = table.boolean("darts", true) ? pattern.max_darts : 0;
   else
     pattern.max_darts = table.integer("darts", pattern.max_darts, 0, 100);
   pattern.allowances = readAllowances(table);
   pattern.fabric_width = table.number("fabric_width", pattern.fabric_width, {0.1, 10.0, false, "m"});
+  constexpr double kMinRoom = 0.04;  // m: no piece is narrower
+  if (const double least = kMinRoom + 2.0 * pattern.allowances.widest(); pattern.fabric_width < least)
+    table.refuse("fabric_width", fmt::format("at least {:.2f} m, for the narrowest piece with its allowance", least));
+  pattern.free_grain = table.choice("grain", "garment", {"garment", "free"}) == "free";
   pattern.paper = table.choice("paper", pattern.paper, {"a4", "letter"});
   if (table.has("formats")) pattern.formats = table.texts("formats");
   const std::vector<std::string> known = {"svg", "pdf", "dxf", "json"};

@@ -25,6 +25,7 @@ struct PatternScene {
   std::vector<PieceName> names;
   Allowances allowances;
   double fabric_width = 1.40;  // m
+  bool free_grain = false;     // grain: "free", else "garment"
   std::string paper = "a4";    // or "letter"
   std::vector<std::string> formats = {"svg", "pdf", "dxf", "json"};
   bool check = true;              // simulate the garment sewn from the pattern

@@ -12,7 +12,11 @@ PAPER_NAME = "paper's table 1, on another machine of 12 cores"
 # without a test that never fires, which takes up to four fifths of its time.
 PUBLIC_CODE = [(1100, 19.0), (3031, 8.1), (4271, 5.6), (10000, 2.3), (20007, 1.2)]
 PUBLIC_CODE_NAME = "its public code, one thread of another machine"
-
+# Sharp and Crane's public code on the shirt of 4,271 vertices, measured once: metres of seam, and principal stretch of
+# its cuts flattened as rigidly as possible, %, for weights of distortion 3, 10, 30 and 100.
+PUBLISHED_CUTS = [(2.63, 2.29), (2.88, 1.84), (3.43, 1.60), (4.81, 1.05)]
+# The stretch of threads on its cuts for weight 10, flattened for woven cloth; parafashion's own on a mirrored shirt.
+PUBLISHED_THREADS = {"published code": [(2.88, 0.72)], "parafashion, shear 37°": [(2.47, 0.58)]}
 
 
 def draw_fps(directory, cases):
@@ -64,6 +68,35 @@ def draw_rest_shape(directory, cases):
          note="a point a pass; method, tolerance, time step; error against the last rest shape of auto 0.01, 2.5 ms")
     return [(stem, "A fit lets the rest shape out after every pass. Each point is the rest shape after so many passes; "
                    "0.01 % over the limit means none.")]
+
+
+def draw_cuts(directory, cases):
+    """Two panels for each garment: stretch of threads and principal stretch against metres to sew, over the weights."""
+    rows = []
+    for garment in dict.fromkeys(c.fields["garment"] for c in cases.values()):
+        row = []
+        for key, label in (("thread_mean", "threads, mean"), ("rigid_mean", "principal stretch, mean")):
+            curves = {}
+            for case in cases.values():
+                if case.runs and case.fields["garment"] == garment:
+                    name = ("symmetric" if case.fields["symmetric"] == "yes" else "free") + {
+                        "before": ", as the flow ends", "after": ""}[case.fields["stage"]]
+                    y = 100 * case.median(key)
+                    curves.setdefault(name, []).append((case.median("seams_m"), y, y, y))
+            published = {}
+            if garment == "shirt_4270":
+                published = PUBLISHED_THREADS if key == "thread_mean" else {"published code": PUBLISHED_CUTS}
+            curves.update({name: [(x, y, y, y) for x, y in points] for name, points in published.items()})
+            row.append(Panel(f"{garment.replace('_', ' ')}: {label}", {k: sorted(v) for k, v in curves.items()}, y_label="%",
+                             y_range="0.3:5"))
+        rows.append(row)
+    stem = directory / "cuts"
+    stretch = "set ytics (0.3, 0.5, 1, 2, 4); set format y '%g'"
+    draw(stem, "Seams that are found: stretch against sewing", "metres to sew, without darts", "", rows,
+         x_range="1.5:6", panel_size=(430, 270), small=True, tics="set xtics (1.5, 2, 3, 4, 5, 6); set format x '%g'; " + stretch, bare_tics="set xtics ('' 1); " + stretch,
+         note="a point a weight of distortion, 1 to 100; published: shirt_4270, shirt_3032, measured once, not by this run")
+    return [(stem, "Weights of distortion from 1 to 100, length 5. Principal stretch is that of pieces flattened as "
+                   "rigidly as possible, which is how the published code's cuts were measured.")]
 
 
 def draw_phases(directory, cases):

@@ -154,6 +154,7 @@ SECTIONS = [
     ("Speed against accuracy", "speed_accuracy", [work_precision.draw_step, work_precision.draw_trajectory],
      [step_tables.iso_error, step_tables.trajectories, step_tables.other_errors, step_tables.set_up]),
     ("The rest shape against time", "rest_shape", [charts.draw_rest_shape], [tables.rest_shape]),
+    ("Seams that are found", "cuts", [charts.draw_cuts], [tables.cuts]),
     ("The scene drape-2pin", "drape_2pin", [charts.draw_drape, work_precision.draw_step], [tables.drape]),
     ("Time steps per second against vertices", "fps", [charts.draw_fps], [tables.fps]),
     ("Where the time goes", "phases", [charts.draw_phases], [tables.phases]),

@@ -112,6 +112,21 @@ def rest_shape(cases):
     return table(["fit", "passes", "s", "error, %", "over the limit, %", "no result"], rows)
 
 
+def cuts(cases):
+    rows = []
+    for c in cases.values():
+        f = c.fields
+        where = f"{f['garment']}{' symmetric' if f['symmetric'] == 'yes' else ''}, {f['distortion']:g}, {f['stage']}"
+        values = [""] * 7
+        if c.runs:
+            values = [f"{c.median('pieces'):g}", f"{c.median('seams_m'):.2f}",
+                      *(f"{100 * c.median(key):.2f}" for key in ("thread_mean", "thread_p99", "rigid_mean", "rigid_p99")),
+                      f"{1e-3 * c.median('ms'):.1f}"]
+        rows.append([where, *values])
+    return table(["garment, weight, needless seams removed", "pieces", "m to sew", "threads, mean %", "p99 %",
+                  "principal, mean %", "p99 %", "s"], rows)
+
+
 def contact_stability(cases):
     rows = []
     for key in ("speed", "thickness"):

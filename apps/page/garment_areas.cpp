@@ -17,11 +17,6 @@ namespace {
 
 constexpr double kMiddle = 0.03;  // m: nearer to x = 0 a place is in the middle
 
-std::vector<NamedLoop> loopsOf(const SceneInput& input) {
-  if (!input.loops.empty()) return input.loops;
-  return nameLoops(buildTopology(input.garment, "garment"), input.garment.positions);
-}
-
 Vec3 centroid(const TriangleMesh& mesh, int t) {
   const auto corners = mesh.triangles.row(t);
   return (mesh.positions.row(corners[0]) + mesh.positions.row(corners[1]) + mesh.positions.row(corners[2]))
@@ -70,6 +65,11 @@ GarmentAreas sidesOf(const TriangleMesh& mesh, const std::vector<NamedLoop>& loo
 }
 
 }  // namespace
+
+std::vector<NamedLoop> loopsOf(const SceneInput& input) {
+  if (!input.loops.empty()) return input.loops;
+  return nameLoops(buildTopology(input.garment, "garment"), input.garment.positions);
+}
 
 GarmentAreas garmentAreas(const Scene& scene, const SceneInput& input) {
   const std::vector<NamedLoop> loops = loopsOf(input);

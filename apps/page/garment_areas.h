@@ -17,6 +17,9 @@ struct GarmentAreas {
   std::vector<NamedLoop> loops;  // boundary loops of the garment
 };
 
+/// The garment's boundary loops: those of its tools, else named by where they lie.
+std::vector<NamedLoop> loopsOf(const SceneInput& input);
+
 /// Divides the scene's garment into named areas.
 GarmentAreas garmentAreas(const Scene& scene, const SceneInput& input);
 

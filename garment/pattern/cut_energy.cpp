@@ -19,10 +19,10 @@ class Elements {
  public:
   Elements(const RestSurface& surface, const RegionLevels& levels) : surface_(surface), levels_(levels) {}
 
-  /// Calls visit(triangle, cell, places of the cell's points, m) for all cells.
+  /// Calls visit(triangle, cell, places of the cell's points, m) for all cells of these triangles.
   template <class Visit>
-  void eachCell(const Visit& visit) {
-    for (int t = 0; t < surface_.triangleCount(); ++t) {
+  void eachCell(const std::vector<int>& triangles, const Visit& visit) {
+    for (const int t : triangles) {
       cells_.find(levels_, surface_.mesh.triangles, t);
       for (int i = 0; i < cells_.count(); ++i) {
         places_.clear();
@@ -70,6 +70,10 @@ Vec3 valuesAt(const std::vector<double>& values, const Triangles& triangles, int
   return at;
 }
 
+Vec3 valuesAt(const std::vector<double>& values, const Triangles& triangles, int t) {
+  return {values[triangles(t, 0)], values[triangles(t, 1)], values[triangles(t, 2)]};
+}
+
 /// Mean of u^2 over a triangle with these corner values.
 double meanSquare(const Vec3& u) {
   return (u.squaredNorm() + u.sum() * u.sum()) / 12.0;
@@ -83,16 +87,38 @@ CutEnergy::CutEnergy(const RestSurface& surface, const CutWeights& weights)
       scale_(1000.0 * weights.distortion / (surface.side * surface.side)),
       matrix_(surface.vertexCount(), surface.mesh.triangles),
       u_(surface.vertexCount(), 0.0),
-      p_(surface.vertexCount(), 0.0) {}
+      p_(surface.vertexCount(), 0.0) {
+  for (const Mat2& edges : surface.rest_edges) stiffness_.push_back(stiffnessBlock(edges));
+}
+
+void CutEnergy::findCrossed() {
+  const int n = surface_.vertexCount();
+  std::vector<int> lowest(n, 0);
+  for (int k = 1; k < levels_.labels; ++k)
+    for (int v = 0; v < n; ++v)
+      if (levels_.of(k)[v] < levels_.of(lowest[v])[v]) lowest[v] = k;
+  crossed_.clear();
+  whole_.clear();
+  for (int t = 0; t < surface_.triangleCount(); ++t) {
+    const auto corner = surface_.mesh.triangles.row(t);
+    const bool is_whole = lowest[corner[0]] == lowest[corner[1]] && lowest[corner[1]] == lowest[corner[2]];
+    (is_whole ? whole_ : crossed_).push_back(t);
+  }
+}
 
 double CutEnergy::operator()(const RegionLevels& levels) {
   levels_ = levels;
+  findCrossed();
   const Triangles& triangles = surface_.mesh.triangles;
   Elements elements(surface_, levels_);
   matrix_.clear();
   std::fill(u_.begin(), u_.end(), 0.0);
+  for (const int t : whole_) {
+    matrix_.add(t, stiffness_[t]);
+    for (int k = 0; k < 3; ++k) u_[triangles(t, k)] -= surface_.curvature[t] * surface_.area[t] / 3.0;
+  }
   double sides = 0.0;  // length of the lines, once from either side, m
-  elements.eachCell([&](int t, const Cell& cell, const std::vector<Vec2>& places) {
+  elements.eachCell(crossed_, [&](int t, const Cell& cell, const std::vector<Vec2>& places) {
     const size_t n = places.size();
     for (size_t i = 0; i < n; ++i)
       if (cell.points[i].side > 2) sides += (places[(i + 1) % n] - places[i]).norm();
@@ -112,7 +138,8 @@ double CutEnergy::operator()(const RegionLevels& levels) {
   if (!matrix_.factor()) return std::numeric_limits<double>::infinity();
   solve(u_);
   double integral = 0.0;
-  elements.eachCell([&](int t, const Cell& cell, const std::vector<Vec2>& places) {
+  for (const int t : whole_) integral += surface_.area[t] * meanSquare(valuesAt(u_, triangles, t));
+  elements.eachCell(crossed_, [&](int t, const Cell& cell, const std::vector<Vec2>& places) {
     Elements::each(cell, places, [&](const Element& element) {
       integral += element.area * meanSquare(valuesAt(u_, triangles, t, element));
     });
@@ -130,13 +157,18 @@ void CutEnergy::solve(std::vector<double>& x) const {
 
 void CutEnergy::solveAdjoint() {
   std::fill(p_.begin(), p_.end(), 0.0);
+  const Triangles& triangles = surface_.mesh.triangles;
+  for (const int t : whole_) {
+    const Vec3 u = valuesAt(u_, triangles, t);
+    for (int k = 0; k < 3; ++k) p_[triangles(t, k)] -= scale_ * surface_.area[t] / 6.0 * (u.sum() + u[k]);
+  }
   Elements elements(surface_, levels_);
-  elements.eachCell([&](int t, const Cell& cell, const std::vector<Vec2>& places) {
+  elements.eachCell(crossed_, [&](int t, const Cell& cell, const std::vector<Vec2>& places) {
     Elements::each(cell, places, [&](const Element& element) {
-      const Vec3 u = valuesAt(u_, surface_.mesh.triangles, t, element);
+      const Vec3 u = valuesAt(u_, triangles, t, element);
       for (int k = 0; k < 3; ++k)
         if (element.corners[k] >= 0)
-          p_[surface_.mesh.triangles(t, element.corners[k])] -= 2.0 * scale_ * element.area / 12.0 * (u.sum() + u[k]);
+          p_[triangles(t, element.corners[k])] -= scale_ * element.area / 6.0 * (u.sum() + u[k]);
     });
   });
   solve(p_);
@@ -148,7 +180,7 @@ std::vector<double> CutEnergy::derivative() {
   std::vector<Vec2> forces;
   Elements elements(surface_, levels_);
   const Triangles& triangles = surface_.mesh.triangles;
-  elements.eachCell([&](int t, const Cell& cell, const std::vector<Vec2>& places) {
+  elements.eachCell(crossed_, [&](int t, const Cell& cell, const std::vector<Vec2>& places) {
     const size_t n = places.size();
     forces.assign(n, Vec2::Zero());
     bool is_crossed = false;

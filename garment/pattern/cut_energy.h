@@ -43,6 +43,8 @@ class CutEnergy {
   double length() const { return length_; }          // of the lines, m
 
  private:
+  /// Tells triangles that lines cross from those that lie in one region whole.
+  void findCrossed();
   /// Solves in place with u = 0 on the border.
   void solve(std::vector<double>& x) const;
   void solveAdjoint();
@@ -51,7 +53,9 @@ class CutEnergy {
   const CutWeights weights_;
   double scale_;  // 1000 w_d / L^2
   VertexMatrix matrix_;
+  std::vector<Mat3> stiffness_;  // of whole triangles
   RegionLevels levels_;
+  std::vector<int> crossed_, whole_;  // triangles
   std::vector<double> u_, p_;
   double distortion_ = 0.0, length_ = 0.0;
 };

@@ -84,7 +84,7 @@ class Conjugate {
 /// step lowers it.  A region that shrinks to a vertex stays there, because u = 0 on its border holds the surface flat
 /// around it: the flow alone cannot pass this bar.
 std::optional<RegionLevels> joined(const RestSurface& surface, const RegionLevels& levels, double now,
-                                   CutEnergy& energy, const std::function<void(RegionLevels&)>& project) {
+                                   CutEnergy& energy, const MirrorLevels* mirror) {
   const RegionMap map = mapOf(surface, levels);
   const Regions regions = connectedRegions(surface, map);
   std::set<std::pair<int, int>> choices;  // region and the label that it would take
@@ -101,7 +101,7 @@ std::optional<RegionLevels> joined(const RestSurface& surface, const RegionLevel
     for (int v = 0; v < surface.vertexCount(); ++v)
       if (regions.of[v] == region) trial.label[v] = label;
     RegionLevels next = redistanced(surface, trial, levels.labels);
-    if (project) project(next);
+    if (mirror) (*mirror)(next);
     const double reached = energy(next);
     if (reached >= now) continue;
     now = reached;
@@ -113,7 +113,7 @@ std::optional<RegionLevels> joined(const RestSurface& surface, const RegionLevel
 }  // namespace
 
 FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, const FlowSettings& settings,
-                      const std::function<void(RegionLevels&)>& project) {
+                      const MirrorLevels* mirror) {
   CutEnergy energy(surface, settings.weights);
   const Smoothing smoothing(surface);
   FlowResult result{start, {}};
@@ -122,7 +122,8 @@ FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, con
   Conjugate conjugate;
   size_t since = 0;  // number of energies when the last region was joined to another
   const auto join = [&] {
-    std::optional<RegionLevels> next = joined(surface, result.levels, result.energies.back(), energy, project);
+    if (!settings.joins) return false;
+    std::optional<RegionLevels> next = joined(surface, result.levels, result.energies.back(), energy, mirror);
     const double reached = energy(next ? *next : result.levels);
     if (!next) return false;
     result.levels = std::move(*next);
@@ -138,7 +139,8 @@ FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, con
       since = result.energies.size();
     }
     const double now = result.energies.back();
-    const std::vector<double> derivative = energy.derivative();
+    std::vector<double> derivative = energy.derivative();
+    if (mirror) mirror->gather(result.levels.labels, derivative);
     std::vector<double> direction = derivative;
     smoothing.apply(direction);
     conjugate.turn(derivative, direction);
@@ -153,7 +155,7 @@ FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, con
     for (int halving = 0; halving <= kHalvings && !is_taken; ++halving) {
       if (halving > 0) alpha *= 0.5;
       for (size_t i = 0; i < next.phi.size(); ++i) next.phi[i] = result.levels.phi[i] - alpha * direction[i];
-      if (project) project(next);
+      if (mirror) (*mirror)(next);
       reached = energy(next);
       is_taken = reached < now && reached <= now - kArmijo * alpha * slope;
     }
@@ -162,7 +164,8 @@ FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, con
       continue;
     }
     result.levels = next;
-    const RegionLevels distances = redistanced(surface, mapOf(surface, next), next.labels);
+    RegionLevels distances = redistanced(surface, mapOf(surface, next), next.labels);
+    if (mirror) (*mirror)(distances);
     if (const double at_distances = energy(distances); at_distances < now) {
       result.levels = distances;
       reached = at_distances;

@@ -11,10 +11,8 @@
 // if the energy does not rise above that of the step before.
 #pragma once
 
-#include <functional>
-
 #include "garment/pattern/cut_energy.h"
-#include "garment/pattern/region_levels.h"
+#include "garment/pattern/mirror_levels.h"
 
 namespace ease {
 
@@ -22,6 +20,7 @@ struct FlowSettings {
   CutWeights weights;
   int steps = 500;          // at most
   double tolerance = 1e-4;  // ends where the energy falls by less than this share in ten steps
+  bool joins = true;        // small regions to others, where that lowers the energy
 };
 
 struct FlowResult {
@@ -29,9 +28,8 @@ struct FlowResult {
   std::vector<double> energies;  // at the start and after every step: they fall
 };
 
-/// Follows the flow from these levels.  `project` is applied to levels after every step, such as to make them
-/// symmetric; may be null.
+/// Follows the flow from these levels.  `mirror`: keeps the levels symmetric, as the start must be; may be null.
 FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, const FlowSettings& settings,
-                      const std::function<void(RegionLevels&)>& project = nullptr);
+                      const MirrorLevels* mirror = nullptr);
 
 }  // namespace ease

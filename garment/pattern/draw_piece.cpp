@@ -118,15 +118,19 @@ void addGrain(const PaperPoint& near, DrawnPiece& piece) {
         {Ink::grain, {end + PaperPoint(-2.0, 5.0 * sign), end, end + PaperPoint(2.0, 5.0 * sign)}, false});
 }
 
-std::string cutText(const DrawnPiece& piece) {
-  return piece.quantity == 1 ? "cut 1, this side up" : "cut 2, one of them mirrored";
+std::string cutText(const DrawnPiece& piece, double grain) {
+  std::string text = piece.quantity == 1 ? "cut 1, this side up" : "cut 2, one of them mirrored";
+  if (grain != 0.0)
+    text += fmt::format(", grain turned {:.0f} deg {}", std::abs(grain) * 180.0 / M_PI, grain > 0.0 ? "left" : "right");
+  return text;
 }
 
 /// Name, number and grain in the middle of the piece, names along the seams.
 void addWords(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece) {
   const PaperPoint middle = middleOf(piece.sew);
   const double room = std::max(20.0, 2.0 * depthWithin(middle, piece.sew));
-  const std::string number = fmt::format("piece {} of {}", piece.number, piece.of), cut = cutText(piece);
+  const std::string number = fmt::format("piece {} of {}", piece.number, piece.of),
+                    cut = cutText(piece, pattern.pieces[piece.source].grain);
   const double widest = std::max({0.62 * kNameHeight * static_cast<double>(piece.name.size()),
                                   0.62 * kTextHeight * static_cast<double>(std::max(number.size(), cut.size()))});
   const double scale = std::min(1.0, 0.8 * room / (widest + 12.0));

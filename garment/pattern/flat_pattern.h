@@ -2,12 +2,15 @@
 //
 //   cut        along the seams, and along the shortest way where a piece is no disk     (cut_garment.h)
 //              and in two where a piece overlaps itself in the plane                    (overlap.h)
+//   turn       the grain of each piece, where it may be free                            (free_grain.h)
 //   darts      where a piece would have to stretch or shear beyond the limits           (darts.h)
-//   flatten    all pieces together, sides of a seam equally long                        (flattening.h)
+//   flatten    all pieces together, sides of a seam equally long; pieces far below the limit of shear once more, with
+//              softer shear, which spares their threads                                 (flattening.h)
 //   name       after the loops around a piece and the side of the wearer                (piece_names.h)
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "garment/pattern/cut_garment.h"
 #include "garment/pattern/flattening.h"
@@ -33,6 +36,8 @@ struct FlatSettings {
   StrainLimits limits;
   WovenSettings woven;
   int max_darts = 12;
+  bool free_grain = false;                                  // turn each piece's grain to where threads stretch least
+  double widest = std::numeric_limits<double>::infinity();  // m: of a piece across its grain, where that is free
   std::vector<PieceName> names;
 };
 
@@ -40,6 +45,7 @@ struct FlatPiece {
   std::string name;
   StrainSummary strain;
   int darts = 0;
+  double grain = 0.0;        // rad, from the garment's warp to the piece's, counter-clockwise seen from outside
   bool upside_down = false;  // whether the warp points up the wearer's body
   bool crosses_itself = false;
 };
@@ -62,7 +68,8 @@ struct FlatPattern {
   std::vector<SeamSides> seams;
   // By edge of the cut, by its vertex: how far along the edge it lies in the garment, 0 to 1.
   std::vector<std::vector<double>> shares;
-  int mended = 0;  // pieces that were flattened again, without flips
+  std::vector<double> shear;  // stiffness in shear by piece, as in WovenSettings
+  int mended = 0;             // pieces that were flattened again, without flips
   int iterations = 0;
   std::vector<std::string> warnings;
 };
@@ -70,6 +77,9 @@ struct FlatPattern {
 /// Cuts and flattens.  Throws InputError where the seams leave a piece that cannot be opened or a name meets no piece,
 /// ComputationError where triangles are degenerate.
 FlatPattern flattenGarment(const RestGarment& garment, const FlatSettings& settings);
+
+/// The stiffness in shear that spares the threads of a piece with this strain and keeps it below the limit of shear.
+double softerShear(const StrainSummary& strain, const FlatSettings& settings);
 
 /// Flattens the same pieces for another rest shape, from where they are.  Their strain stays that of the first one.
 FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges, const FlatSettings& settings);

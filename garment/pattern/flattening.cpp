@@ -18,10 +18,12 @@ constexpr int kGrain = 128;     // triangles for a task
 /// The pieces' triangles as one linear system, and the steps of the local/global alternation.
 class Alternation {
  public:
-  Alternation(const FlatPieces& pieces, const std::vector<SewnPair>& pairs, const WovenSettings& settings)
+  Alternation(const FlatPieces& pieces, const std::vector<SewnPair>& pairs, const std::vector<WovenSettings>& of_piece,
+              const std::vector<int>& piece_of_vertex)
       : pieces_(pieces),
         pairs_(pairs),
-        settings_(settings),
+        of_piece_(of_piece),
+        piece_of_vertex_(piece_of_vertex),
         system_(pieces.vertices, pieces.triangles),
         targets_(pieces.rest_edges.size(), Mat32::Zero()),
         bond_targets_(2 * pairs.size()),
@@ -34,8 +36,8 @@ class Alternation {
     for (const std::vector<int>& outline : pieces.outlines) diagonal[outline.front()] = 1.0;
     std::vector<Bond> bonds;
     for (const SewnPair& pair : pairs) {
-      bonds.push_back({pair.a1, pair.a0, settings.seam_weight});
-      bonds.push_back({pair.b1, pair.b0, settings.seam_weight});
+      bonds.push_back({pair.a1, pair.a0, of_piece.front().seam_weight});
+      bonds.push_back({pair.b1, pair.b0, of_piece.front().seam_weight});
     }
     system_.setBonds(bonds);
     if (!system_.factor(rest_inverse_, areas, diagonal))
@@ -43,12 +45,13 @@ class Alternation {
   }
 
   const std::vector<Mat2>& restInverse() const { return rest_inverse_; }
+  const WovenSettings& settingsOf(int t) const { return of_piece_[piece_of_vertex_[pieces_.triangles(t, 0)]]; }
 
   /// One local and one global step; returns the largest move of a vertex, m.
   double step(Positions& x) {
     parallelFor(static_cast<int>(targets_.size()), kGrain, [&](int t) {
       const Mat2 F = planeGradient(pieces_, x, t, rest_inverse_[t]);
-      targets_[t].topRows<2>() = F - wovenStress(F, settings_);
+      targets_[t].topRows<2>() = F - wovenStress(F, settingsOf(t));
     });
     for (size_t p = 0; p < pairs_.size(); ++p) {
       const Vec3 a = x.row(pairs_[p].a1) - x.row(pairs_[p].a0), b = x.row(pairs_[p].b1) - x.row(pairs_[p].b0);
@@ -65,7 +68,8 @@ class Alternation {
  private:
   const FlatPieces& pieces_;
   const std::vector<SewnPair>& pairs_;
-  const WovenSettings settings_;
+  const std::vector<WovenSettings>& of_piece_;
+  const std::vector<int>& piece_of_vertex_;
   GradientSystem system_;
   std::vector<Mat2> rest_inverse_;
   std::vector<Mat32> targets_;
@@ -77,11 +81,13 @@ class Alternation {
 }  // namespace
 
 Flattened flatten(const FlatPieces& pieces, const std::vector<SewnPair>& pairs, const WovenSettings& settings,
-                  const Positions* start) {
+                  const Positions* start, const std::vector<double>& shear_of_piece) {
   Flattened flat;
   flat.x = start ? *start : conformalStart(pieces);
-  Alternation alternation(pieces, pairs, settings);
   const std::vector<int> piece = pieceOfVertex(pieces);
+  std::vector<WovenSettings> of_piece(pieces.outlines.size(), settings);
+  for (size_t p = 0; p < shear_of_piece.size(); ++p) of_piece[p].shear = shear_of_piece[p];
+  Alternation alternation(pieces, pairs, of_piece, piece);
   const auto iterate = [&](int most) {
     for (int i = 0; i < most; ++i) {
       if (i % kTurnEvery == 0) turnToGrain(pieces, alternation.restInverse(), piece, flat.x);
@@ -92,13 +98,13 @@ Flattened flatten(const FlatPieces& pieces, const std::vector<SewnPair>& pairs, 
   iterate(settings.max_iterations);
   if (const std::vector<int> flipped = flippedPieces(pieces, piece, flat.x); settings.mends && !flipped.empty()) {
     flat.mended = static_cast<int>(flipped.size());
-    for (const int p : flipped) flattenWithoutFlips(pieces, piece, p, settings, flat.x);
+    for (const int p : flipped) flattenWithoutFlips(pieces, piece, p, of_piece[p], flat.x);
   }
   turnToGrain(pieces, alternation.restInverse(), piece, flat.x);
   for (size_t t = 0; t < pieces.rest_edges.size(); ++t)
-    flat.energy +=
-        0.5 * pieces.rest_edges[t].determinant() *
-        wovenEnergy(planeGradient(pieces, flat.x, static_cast<int>(t), alternation.restInverse()[t]), settings);
+    flat.energy += 0.5 * pieces.rest_edges[t].determinant() *
+                   wovenEnergy(planeGradient(pieces, flat.x, static_cast<int>(t), alternation.restInverse()[t]),
+                               alternation.settingsOf(static_cast<int>(t)));
   return flat;
 }
 

@@ -53,8 +53,9 @@ struct Flattened {
   double energy = 0.0;  // E without the pairs, m^2
 };
 
-/// Flattens all pieces together.  `start`: positions to begin from; null: conformal ones.
+/// Flattens all pieces together.  `start`: positions to begin from; null: conformal ones.  `shear_of_piece`: a
+/// stiffness in shear for every piece; empty: that of the settings.
 Flattened flatten(const FlatPieces& pieces, const std::vector<SewnPair>& pairs, const WovenSettings& settings,
-                  const Positions* start = nullptr);
+                  const Positions* start = nullptr, const std::vector<double>& shear_of_piece = {});
 
 }  // namespace ease

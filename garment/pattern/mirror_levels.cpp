@@ -9,6 +9,8 @@
 namespace ease {
 namespace {
 
+constexpr double kMinShare = 0.1;  // of the corners that an image is taken from
+
 /// Barycentric coordinates of the point of a triangle's plane nearest to x, moved into the triangle.
 Vec3 sharesNear(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
   const Vec3 n = doubleAreaNormal(a, b, c);
@@ -48,8 +50,14 @@ MirrorLevels::MirrorLevels(const RestSurface& surface, double plane, double reac
       }
     }
   });
-  for (const Image& image : images)
-    if (image.vertex >= 0) images_.push_back(image);
+  for (Image image : images) {
+    if (image.vertex < 0) continue;
+    for (int k = 0; k < 3; ++k)
+      if (images[image.from[k]].vertex >= 0) image.share[k] = 0.0;
+    if (image.share.sum() < kMinShare) continue;
+    image.share /= image.share.sum();
+    images_.push_back(image);
+  }
 }
 
 void MirrorLevels::operator()(RegionLevels& levels) const {
@@ -60,6 +68,20 @@ void MirrorLevels::operator()(RegionLevels& levels) const {
       mirrored.push_back(image.share[0] * phi[image.from[0]] + image.share[1] * phi[image.from[1]] +
                          image.share[2] * phi[image.from[2]]);
     for (size_t i = 0; i < images_.size(); ++i) phi[images_[i].vertex] = mirrored[i];
+  }
+}
+
+void MirrorLevels::gather(int labels, std::vector<double>& derivative) const {
+  const size_t n = derivative.size() / static_cast<size_t>(labels);
+  for (size_t k = 0; k < static_cast<size_t>(labels); ++k) {
+    double* by = derivative.data() + k * n;
+    std::vector<double> right;
+    for (const Image& image : images_) {
+      right.push_back(by[image.vertex]);
+      by[image.vertex] = 0.0;
+    }
+    for (size_t i = 0; i < images_.size(); ++i)
+      for (int c = 0; c < 3; ++c) by[images_[i].from[c]] += images_[i].share[c] * right[i];
   }
 }
 

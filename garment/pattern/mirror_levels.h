@@ -13,8 +13,11 @@ class MirrorLevels {
 
   void operator()(RegionLevels& levels) const;
 
+  /// The derivative of an energy of mirrored levels, by the left ones, from that by all levels, both ordered as phi.
+  void gather(int labels, std::vector<double>& derivative) const;
+
  private:
-  /// A vertex takes the mean of those of a triangle near its image.
+  /// A vertex takes the mean of those of a triangle near its image, of its corners that take none themselves.
   struct Image {
     int vertex;
     std::array<int, 3> from;

@@ -1,56 +1,20 @@
 #include "garment/pattern/needless_seams.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 
-#include "garment/pattern/dart_trial.h"
 #include "garment/pattern/region_chains.h"
-#include "garment/pattern/region_levels.h"
-#include "solver/base/error.h"
 #include "solver/base/parallel.h"
 
 namespace ease {
 namespace {
 
-constexpr int kIterations = 120;       // of a trial
-constexpr double kStrictness = 0.6;    // of the limit of the threads, for pieces without a seam
-constexpr double kStrictShare = 0.99;  // of the area
 constexpr double kMoreCloth = 1.25;    // the rectangle around a union, over those around both pieces
 constexpr double kMirrorReach = 0.03;  // m: how far the middles of a seam and of another's image may be apart
 constexpr double kMinSaving = 0.01;    // m of seam
 constexpr double kTolerance = 1e-9;    // m^2, of areas over the limits that are compared
-
-/// A piece flattened by itself.
-struct PieceTrial {
-  Badness badness;
-  double openings = 0.0;  // length of the lines along which it had to be opened, m
-  bool is_sound = false, keeps = false;
-  Vec2 box = Vec2::Zero();  // height along and width across the grain, m
-};
-
-PieceTrial tryPiece(const RestGarment& garment, const Pieces& pieces, int piece, const FlatSettings& settings) {
-  PieceTrial result;
-  const Part part = partOf(garment, pieces, piece);
-  std::vector<Seam> openings;
-  Trial trial;
-  try {
-    for (const CutLine& line : makeDisks(part.mesh, part.rest_edges, {}, {})) {
-      openings.push_back(line.seam);
-      result.openings += lengthOf(line.seam.vertices, part.mesh.positions);
-    }
-    trial = flattenPart(part, openings, settings, kIterations);
-  } catch (const InputError&) {  // no disk, and no way to make it one
-    return result;
-  }
-  result.badness = trial.badness;
-  result.is_sound = trial.is_sound;
-  result.keeps = keeps(trial.strain, settings.limits);
-  result.box = (trial.x.colwise().maxCoeff() - trial.x.colwise().minCoeff()).head<2>();
-  return result;
-}
 
 /// The pieces on both sides of every edge between two.
 std::map<std::array<int, 2>, std::array<int, 2>> piecesBeside(const RestGarment& garment, const Pieces& pieces) {
@@ -67,11 +31,10 @@ class Removal {
       : garment_(garment),
         kept_(garment.seams.begin(), garment.seams.begin() + static_cast<long>(kept)),
         seams_(garment.seams),
-        settings_(settings),
+        given_(settings),
+        settings_(strictLimits(settings)),
         size_(size),
         mirror_(mirror) {
-    settings_.limits.thread *= kStrictness;
-    settings_.limits.share = kStrictShare;
     for (const Seam& seam : kept_) addEdges(seam, kept_edges_);
   }
 
@@ -182,7 +145,7 @@ class Removal {
       over += alone[p].badness.over;
       box += alone[p].box.prod();
     }
-    bool keeps_limits = true;
+    bool keeps_limits = true, keeps_given = mends;
     for (const int p : unions) {
       const PieceTrial trial = tryPiece(garment_, joined, p, settings_);
       if (!trial.is_sound || trial.box.y() > size_.widest) return;
@@ -191,8 +154,9 @@ class Removal {
       over -= trial.badness.over;
       box -= trial.box.prod() / kMoreCloth;
       keeps_limits = keeps_limits && trial.keeps;
+      keeps_given = keeps_given && (trial.keeps || tryPiece(garment_, joined, p, given_).keeps);
     }
-    if (saved < kMinSaving || box < 0.0 || !(keeps_limits || (mends && over >= 0.0))) return;
+    if (saved < kMinSaving || box < 0.0 || !(keeps_limits || keeps_given || (mends && over >= 0.0))) return;
     candidate.cost = energy / saved;
   }
 
@@ -207,7 +171,7 @@ class Removal {
   const RestGarment& garment_;
   const std::vector<Seam> kept_;
   std::vector<Seam> seams_;
-  FlatSettings settings_;
+  const FlatSettings given_, settings_;  // as of the pattern, and stricter
   const SewableSize size_;
   const std::optional<double> mirror_;
   EdgeSet kept_edges_;
@@ -218,17 +182,6 @@ class Removal {
 std::vector<Seam> neededSeams(const RestGarment& garment, size_t kept, const FlatSettings& settings,
                               const SewableSize& size, std::optional<double> mirror) {
   return Removal(garment, kept, settings, size, mirror).run();
-}
-
-bool isTooSmall(const RestGarment& garment, const Pieces& pieces, int piece, const SewableSize& size) {
-  const Part part = partOf(garment, pieces, piece);
-  const RestSurface surface = restSurface(part.mesh, part.rest_edges);
-  if (surface.side * surface.side < size.area) return true;
-  std::vector<double> distance(surface.vertexCount(), std::numeric_limits<double>::infinity());
-  for (int v = 0; v < surface.vertexCount(); ++v)
-    if (surface.on_border[v]) distance[v] = 0.0;
-  marchDistances(surface, size.width, distance);
-  return *std::max_element(distance.begin(), distance.end()) < 0.5 * size.width;
 }
 
 }  // namespace ease

@@ -7,27 +7,18 @@
 // three fifths of the limit on 99 % of its area (the whole limit is for what nothing else can mend), it is not wider
 // than the cloth, and the rectangle around it is at most a quarter larger than those around both pieces: what winds
 // around the body in one piece wastes cloth.  Pieces that are too small or too narrow to sew come first, and may also
-// join a neighbour with which they are no further over the limits than both were before.
+// join a neighbour with which they keep the pattern's own limits, or are no further over the strict ones than before.
 #pragma once
 
 #include <optional>
 
-#include "garment/pattern/flat_pattern.h"
+#include "garment/pattern/piece_trial.h"
 
 namespace ease {
-
-struct SewableSize {
-  double area = 0.004;   // m^2: least area of a piece
-  double width = 0.04;   // m: least diameter of the largest circle in it
-  double widest = 1.36;  // m: largest width of a piece across the grain
-};
 
 /// The garment's seams without needless ones; the first `kept` stay in any case.  `mirror`: x of a plane, m, so that a
 /// seam goes only together with its mirror image; none: each by itself.
 std::vector<Seam> neededSeams(const RestGarment& garment, size_t kept, const FlatSettings& settings,
                               const SewableSize& size, std::optional<double> mirror = {});
-
-/// Whether a piece is too small or too narrow to sew.
-bool isTooSmall(const RestGarment& garment, const Pieces& pieces, int piece, const SewableSize& size);
 
 }  // namespace ease

@@ -11,14 +11,17 @@
 namespace ease {
 namespace {
 
-constexpr double kApart = 0.05;  // m: pieces whose middles are nearer to each other do not lie beside each other
+constexpr double kAround = 0.6;    // of a loop: a piece that has more of it goes around it, as a sleeve does
+constexpr double kSideways = 1.5;  // how much more a side panel faces sideways than to the front or back
+constexpr double kUpwards = 0.5;   // share of a piece's area that it faces up or down with, as at a shoulder
+constexpr double kApart = 0.05;    // m: pieces whose middles are nearer to each other do not lie beside each other
 
 /// Where a piece lies on the wearer.
 struct Place {
-  Vec3 middle = Vec3::Zero();  // m
-  Vec3 normal = Vec3::Zero();  // sum over its triangles, m^2
-  double area = 0.0;           // m^2
-  std::set<std::string> loops;
+  Vec3 middle = Vec3::Zero();           // m
+  Vec3 normal = Vec3::Zero();           // sum over its triangles, m^2
+  double area = 0.0;                    // m^2
+  std::map<std::string, double> loops;  // length of each that lies on the piece, m
 };
 
 std::vector<Place> placesOf(const CutGarment& cut, const TriangleMesh& garment) {
@@ -33,8 +36,16 @@ std::vector<Place> placesOf(const CutGarment& cut, const TriangleMesh& garment) 
   }
   for (Place& place : places) place.middle /= place.area;
   for (const PieceEdge& edge : cut.edges)
-    if (edge.line < 0) places[edge.piece].loops.insert(edge.name);
+    if (edge.line < 0) places[edge.piece].loops[edge.name] += lengthOf(edge.vertices, cut.pieces.mesh.positions);
   return places;
+}
+
+/// Lengths of all loops, m.
+std::map<std::string, double> wholeLoops(const std::vector<Place>& places) {
+  std::map<std::string, double> whole;
+  for (const Place& place : places)
+    for (const auto& [loop, length] : place.loops) whole[loop] += length;
+  return whole;
 }
 
 bool isOfTrunk(const std::string& loop) {
@@ -47,12 +58,17 @@ const char* frontOrBack(const Place& place) {
   return place.normal.z() >= 0.0 ? "front" : "back";
 }
 
-std::string ownName(const Place& place) {
-  if (place.loops.size() == 1 && !isOfTrunk(*place.loops.begin())) {
-    const std::string& loop = *place.loops.begin();
-    return loop == "left" || loop == "right" ? loop + " sleeve" : loop;
+std::string ownName(const Place& place, const std::map<std::string, double>& whole) {
+  if (place.loops.size() == 1 && !isOfTrunk(place.loops.begin()->first)) {
+    const auto& [loop, length] = *place.loops.begin();
+    if (length > kAround * whole.at(loop)) return loop == "left" || loop == "right" ? loop + " sleeve" : loop;
+    if (std::abs(place.normal.y()) > kUpwards * place.area) {
+      const std::string side = place.middle.x() > 0.0 ? "left " : "right ";
+      return side + (place.normal.y() > 0.0 ? "shoulder" : "underarm");
+    }
   }
-  if (std::abs(place.normal.x()) > 1.5 * std::abs(place.normal.z())) return place.normal.x() > 0 ? "left" : "right";
+  if (std::abs(place.normal.x()) > kSideways * std::abs(place.normal.z()))
+    return place.normal.x() > 0 ? "left side" : "right side";
   return frontOrBack(place);
 }
 
@@ -100,7 +116,8 @@ std::vector<std::string> pieceNames(const CutGarment& cut, const TriangleMesh& g
                                     const std::vector<PieceName>& given) {
   const std::vector<Place> places = placesOf(cut, garment);
   std::vector<std::string> names;
-  for (const Place& place : places) names.push_back(ownName(place));
+  const std::map<std::string, double> whole = wholeLoops(places);
+  for (const Place& place : places) names.push_back(ownName(place, whole));
   const auto beside = [](double p, double q, const char* more, const char* less) -> std::string {
     return std::abs(p - q) < kApart ? "" : p > q ? more : less;
   };

@@ -1,7 +1,8 @@
 // Names of pattern pieces: those that were given, and for the others the loop or the side of the wearer.
 //
-//   one loop besides hem and neck around it   the loop's name: "left sleeve"
-//   else                                      "front" or "back", "left" or "right", where most of it faces
+//   around one loop besides hem and neck      the loop's name: "left sleeve"
+//   at a part of one, facing up or down       "left shoulder", "left underarm"
+//   else                                      "front" or "back", "left side" or "right side", where most of it faces
 //   several of one name                       with "front" or "back", "left" or "right", "upper" or "lower", or a
 //   number
 #pragma once

@@ -57,6 +57,12 @@ double lengthOfSeam(const Seam& seam, const Positions& positions) {
   return polygonLength(positionsOf(seam.vertices, positions), seam.is_closed);
 }
 
+double lengthOfSeams(const std::vector<Seam>& seams, const Positions& positions) {
+  double length = 0.0;
+  for (const Seam& seam : seams) length += lengthOfSeam(seam, positions);
+  return length;
+}
+
 void addEdges(const Seam& seam, EdgeSet& edges) {
   const size_t n = seam.vertices.size();
   for (size_t i = 0; i + (seam.is_closed ? 0 : 1) < n; ++i)

@@ -18,6 +18,7 @@ using EdgeSet = std::set<std::array<int, 2>>;  // by their ends, the smaller fir
 
 /// Length of a seam, m; also that of a closed one.
 double lengthOfSeam(const Seam& seam, const Positions& positions);
+double lengthOfSeams(const std::vector<Seam>& seams, const Positions& positions);
 
 /// Adds the edges of a seam.
 void addEdges(const Seam& seam, EdgeSet& edges);

@@ -109,7 +109,8 @@ TEST_CASE("pattern says in a line what it lacks") {
   const Outcome narrow = runEase(directory, "pattern narrow.toml");
   CHECK(narrow.code == 1);
   CHECK(isOneLine(narrow.err));
-  CHECK_THAT(narrow.err, Contains("narrow.toml: [pattern] piece '") && Contains("wide"));
+  CHECK_THAT(narrow.err, Contains("narrow.toml: [pattern] fabric_width = 0.2: piece '") && Contains("wide"));
+  CHECK_THAT(narrow.out, !Contains("the scene is run first"));
 
   directory.write("hemm.toml", kTube + kSides + "[pattern]\ncheck = false\n[pattern.allowance]\nhemm = 0.03\n");
   const Outcome hemm = runEase(directory, "pattern hemm.toml");

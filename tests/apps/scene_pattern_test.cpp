@@ -18,13 +18,14 @@ TEST_CASE("a scene without [pattern] has the defaults of one") {
   CHECK(pattern.allowances.all == 0.010);
   CHECK(pattern.max_darts > 0);
   CHECK(pattern.check);
+  CHECK_FALSE(pattern.free_grain);
 }
 
 TEST_CASE("the keys of [pattern] are read") {
   const PatternScene pattern =
       sceneOf(kCloth +
               "[pattern]\nthread_limit = 0.03\nshear_limit = 10\nshare = 0.9\ndarts = 2\nfabric_width = 0.9\n"
-              "paper = 'letter'\nformats = ['svg']\ncheck = false\nlet_out = 1\n"
+              "paper = 'letter'\ngrain = 'free'\nformats = ['svg']\ncheck = false\nlet_out = 1\n"
               "[pattern.allowance]\ndefault = 0.012\nhem = 0.03\n[[pattern.piece]]\nname = 'front'\nat = [0, 1, 0.1]\n")
           .pattern;
   CHECK(pattern.limits.thread == 0.03);
@@ -32,6 +33,7 @@ TEST_CASE("the keys of [pattern] are read") {
   CHECK(pattern.limits.share == 0.9);
   CHECK(pattern.max_darts == 2);
   CHECK(pattern.fabric_width == 0.9);
+  CHECK(pattern.free_grain);
   CHECK(paperNamed(pattern.paper).width == Approx(215.9));
   CHECK(pattern.formats == std::vector<std::string>{"svg"});
   CHECK_FALSE(pattern.check);
@@ -55,7 +57,7 @@ TEST_CASE("the keys of [pattern.cuts] are read, and are absent without the table
   CHECK_FALSE(defaults.settings.is_symmetric);
   const CutsScene cuts = *sceneOf(kCloth +
                                   "[pattern.cuts]\nmethod = 'none'\ndistortion_weight = 3\nlength_weight = 2\n"
-                                  "steps = 50\nkeep = false\nsymmetric = 0.01\nremove = false\n")
+                                  "steps = 50\nkeep = false\nsymmetric = 0.01\nremove = false\nstraighten = false\n")
                               .pattern.cuts;
   CHECK_FALSE(cuts.finds);
   CHECK(cuts.settings.flow.weights.distortion == 3.0);
@@ -63,6 +65,7 @@ TEST_CASE("the keys of [pattern.cuts] are read, and are absent without the table
   CHECK(cuts.settings.flow.steps == 50);
   CHECK_FALSE(cuts.settings.keep);
   CHECK_FALSE(cuts.settings.remove);
+  CHECK_FALSE(cuts.settings.straighten);
   CHECK(cuts.settings.is_symmetric);
   CHECK(cuts.settings.plane == 0.01);
   CHECK(sceneOf(kCloth + "[pattern.cuts]\nsymmetric = true\n").pattern.cuts->settings.is_symmetric);
@@ -73,6 +76,9 @@ TEST_CASE("the keys of [pattern.cuts] are read, and are absent without the table
 }
 
 TEST_CASE("wrong keys of [pattern] are refused with what was expected") {
+  CHECK_THAT(errorOf(kCloth + "[pattern]\ndarts = 'no'\n"), Contains("true, false, or how many at most"));
+  CHECK_THAT(errorOf(kCloth + "[pattern]\ngrain = 'bias'\n"), Contains("free"));
+  CHECK_THAT(errorOf(kCloth + "[pattern]\nfabric_width = 0.11\nallowance = 0.05\n"), Contains("at least 0.14 m"));
   CHECK_THAT(errorOf(kCloth + "[pattern]\ndart = true\n"), Contains("did you mean 'darts'?"));
   CHECK_THAT(errorOf(kCloth + "[pattern]\nformats = ['svg', 'hpgl']\n"), Contains("'hpgl' is none of them"));
   CHECK_THAT(errorOf(kCloth + "[pattern]\nallowance = 0.5\n"), Contains("a number from 0 to 0.2 m"));

@@ -52,3 +52,17 @@ TEST_CASE("pieces flattened again for longer threads are longer, and keep what w
   for (size_t t = 0; t < sewn.size(); ++t) CHECK((sewn[t] - grown[t]).norm() < 1e-8);
   CHECK(again.pieces.front().strain.thread_mean == first.pieces.front().strain.thread_mean);
 }
+
+TEST_CASE("a piece far below the limit of shear shears more, so that its threads stretch less") {
+  const RestGarment cap = restGarment(bentSheet(12, 0.6, [](double x, double y) { return 0.5 * (x * x + y * y); }));
+  FlatSettings settings;
+  settings.max_darts = 0;
+  const FlatPattern softer = flattenGarment(cap, settings);
+  FlatSettings narrow = settings;
+  narrow.limits.shear = 1e-6;  // no room
+  const FlatPattern stiffer = flattenGarment(cap, narrow);
+  CHECK(softer.shear.front() < settings.woven.shear);
+  CHECK(stiffer.shear.front() == settings.woven.shear);
+  CHECK(softer.pieces.front().strain.thread_mean < 0.8 * stiffer.pieces.front().strain.thread_mean);
+  CHECK(keeps(softer.pieces.front().strain, settings.limits));
+}

@@ -81,6 +81,7 @@ TEST_CASE("cloth whose threads are stiff shears where it cannot lie flat, and it
   woven.max_darts = even.max_darts = 0;
   woven.limits.shear = woven.woven.shear_limit = 1.0;
   even.woven.shear = 1.0;
+  even.limits.shear = 1e-6;  // so that shear is not softened
   const StrainSummary soft = flattenGarment(cap, woven).pieces.front().strain,
                       stiff = flattenGarment(cap, even).pieces.front().strain;
   CHECK(soft.thread_mean < 0.8 * stiff.thread_mean);
@@ -135,4 +136,18 @@ TEST_CASE("the garment sewn from flat pieces has the same rest shape where these
   const FlatPattern pattern = flattenGarment(sheet, exactSettings());
   const std::vector<Mat2> sewn = sewnEdges(pattern);
   for (size_t t = 0; t < sewn.size(); ++t) CHECK((sewn[t] - sheet.rest_edges[t]).norm() < 1e-9);
+}
+
+TEST_CASE("every piece may have a stiffness in shear of its own") {
+  const RestGarment cap = restGarment(bentSheet(12, 0.6, [](double x, double y) { return 0.3 * (x * x + y * y); }));
+  FlatSettings settings;
+  const FlatPattern pattern = flattenGarment(cap, settings);
+  const auto shearWith = [&](const std::vector<double>& shear_of_piece) {
+    const Flattened flat = flatten(pattern.flat, {}, settings.woven, &pattern.x, shear_of_piece);
+    return strainOf(pattern.flat, flat.x, threadStrains(pattern.flat, flat.x), pattern.cut.pieces.piece, 0,
+                    settings.limits)
+        .shear_p99;
+  };
+  CHECK(shearWith({settings.woven.shear}) == shearWith({}));
+  CHECK(shearWith({0.2 * settings.woven.shear}) > 1.1 * shearWith({}));
 }

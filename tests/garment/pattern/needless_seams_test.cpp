@@ -37,9 +37,14 @@ TEST_CASE("a strongly bent sheet keeps its seam") {
   CHECK(neededSeams(garment, 0, {}, {}).size() == 1);
 }
 
-TEST_CASE("narrow and small pieces are told from others") {
-  const RestGarment garment = restGarment(bentSheet(50, 1.0, [](double, double) { return 0.0; }), {column(50, 1)});
-  const Pieces pieces = cutIntoPieces(garment.mesh, garment.seams);
-  REQUIRE(pieces.count == 2);
-  CHECK(isTooSmall(garment, pieces, 0, {}) != isTooSmall(garment, pieces, 1, {}));
+TEST_CASE("a strip too narrow to sew joins its neighbour where both keep the pattern's own limits") {
+  const RestGarment garment =
+      restGarment(bentSheet(30, 0.6, [](double x, double y) { return 0.9 * (x * x + y * y); }), {column(30, 1)});
+  FlatSettings settings;
+  settings.limits.shear = 1.0;
+  settings.limits.thread = 1e-3;
+  const Pieces whole = cutIntoPieces(garment.mesh, {});
+  while (!tryPiece(garment, whole, 0, settings).keeps) settings.limits.thread *= 1.05;
+  REQUIRE_FALSE(tryPiece(garment, whole, 0, strictLimits(settings)).keeps);
+  CHECK(neededSeams(garment, 0, settings, {}).empty());
 }

@@ -1,6 +1,9 @@
 #include "garment/pattern/variational_cut.h"
 
+#include <oneapi/tbb/global_control.h>
+
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "garment/builtin_garment.h"
 #include "tests/garment/pattern/cut_shapes.h"
@@ -84,4 +87,35 @@ TEST_CASE("symmetric cuts lie alike on both sides") {
       (a.x() + b.x() > 0.0 ? left : right) += (b - a).norm();
     }
   CHECK(left == Approx(right).epsilon(0.05));
+}
+
+TEST_CASE("cuts are the same with any number of threads, and no two seams share a name") {
+  const RestGarment shirt = restGarment(builtinGarment("t-shirt", 500, 0.004));
+  const auto run = [&](int threads) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    return findCuts(shirt, {}, noDarts());
+  };
+  const FoundCuts one = run(1), two = run(2);
+  CHECK(one.cut.garment.mesh.positions == two.cut.garment.mesh.positions);
+  CHECK(one.energies == two.energies);
+  REQUIRE(one.cut.garment.seams.size() == two.cut.garment.seams.size());
+  std::set<std::string> names;
+  for (size_t s = 0; s < one.cut.garment.seams.size(); ++s) {
+    CHECK(one.cut.garment.seams[s].vertices == two.cut.garment.seams[s].vertices);
+    names.insert(one.cut.garment.seams[s].name);
+  }
+  CHECK(names.size() == one.cut.garment.seams.size());
+}
+
+TEST_CASE("a garment of skinny triangles is cut into disks") {
+  TriangleMesh shirt = builtinGarment("t-shirt", 500, 0.004);
+  for (int t = 0; t < shirt.triangles.rows(); t += 37) {  // a corner is drawn almost onto the next one
+    const int v = shirt.triangles(t, 0), w = shirt.triangles(t, 1);
+    shirt.positions.row(v) += 0.9 * (shirt.positions.row(w) - shirt.positions.row(v)).eval();
+  }
+  const FoundCuts found = findCuts(restGarment(shirt), {}, noDarts());
+  const FlatPattern pattern = flattenGarment(found.cut.garment, noDarts());
+  CHECK(pattern.pieces.size() >= 2);
+  CHECK(pattern.x.allFinite());
+  for (const FlatPiece& piece : pattern.pieces) CHECK(piece.strain.flipped == 0);
 }
