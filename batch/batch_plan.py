@@ -2,7 +2,6 @@
 
 import json
 import pathlib
-import sys
 
 import people_table
 from batch_summary import write_whole
@@ -11,14 +10,9 @@ from job_size import memory_mb
 
 def make(table, out):
     """Reads the table, writes its scenes and the plan into the folder `out`, and returns the plan.  Files whose text is
-    there already are left alone, so that only what has changed is computed again.  Ends the program with one line where
-    the table or a template is wrong."""
-    try:
-        rows = people_table.read_table(table)
-    except people_table.TableError as error:
-        sys.exit(f"batch: {error}")
+    there already are left alone, so that only what has changed is computed again.  Throws TableError."""
     plan = []
-    for row in rows:
+    for row in people_table.read_table(table):
         write_changed(pathlib.Path(out, row.person, row.garment + ".toml"), row.scene)
         plan.append({"person": row.person, "garment": row.garment, "pattern": row.pattern, "files": row.files,
                      "memory_mb": memory_mb(row.parsed, row.files)})

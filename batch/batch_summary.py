@@ -1,4 +1,7 @@
-"""The summary of a batch: summary.csv for programs, summary.html for people, a row for each person and garment."""
+"""The summary of a batch: summary.csv for programs, summary.html for people, a row for each person and garment.
+
+    python3 batch_summary.py OUT    of the plan in that folder
+"""
 
 import csv
 import html
@@ -6,6 +9,9 @@ import io
 import json
 import os
 import pathlib
+import sys
+
+from ease_job import last_words
 
 FITS = "fits"
 TIMES = ("run_s", "pattern_s")  # the only columns that differ when a batch is computed again
@@ -29,7 +35,8 @@ def row_of(entry, folder):
     row = dict.fromkeys(COLUMNS, "") | {"person": entry["person"], "garment": entry["garment"]}
     run = outcome(results, "run")
     if run is None:
-        return row | {"result": "not finished", "why": shorten(last_line(results.with_name(results.name + ".log")), results)}
+        log = results.with_name(results.name + ".log")
+        return row | {"result": "not finished", "why": shorten(why_stopped(log), results)}
     row |= {"run_s": f"{run['wall_s']:.1f}", "why": shorten(run["reason"], results)}
     if run["exit_code"] not in (0, 3):
         return row | {"result": "failed"}
@@ -40,7 +47,7 @@ def row_of(entry, folder):
         pattern = outcome(results, "pattern")
         if pattern is None:
             log = results.with_name(results.name + ".pattern.log")
-            row |= {"result": "not finished", "why": "pattern: " + shorten(last_line(log), results)}
+            row |= {"result": "not finished", "why": "pattern: " + shorten(why_stopped(log), results)}
         elif pattern["exit_code"] == 0:
             made = report.get("pattern", {})
             row |= {"pattern_s": f"{pattern['wall_s']:.1f}", "pieces": str(len(made.get("pieces", [])))}
@@ -64,15 +71,15 @@ def figures(report, doubtful):
     row = {"result": result, "stretch_before": number(before.get("max")), "stretch_after": number(after["max"])}
     if "limit" in sigma:
         row |= {"stretch_limit": number(sigma["limit"]),
-                "over_limit_before_percent": number(before.get("share_over_limit"), 100.0),
-                "over_limit_after_percent": number(after["share_over_limit"], 100.0),
-                "area_growth_percent": number(report["rest_growth"]["area_ratio"] - 1.0, 100.0),
+                "over_limit_before_percent": number(before.get("share_over_limit"), 100.0, 2),
+                "over_limit_after_percent": number(after["share_over_limit"], 100.0, 2),
+                "area_growth_percent": number(report["rest_growth"]["area_ratio"] - 1.0, 100.0, 2),
                 "largest_growth": number(report["rest_growth"]["max"])}
     return row
 
 
-def number(value, factor=1.0):
-    return "" if value is None else f"{factor * value:.3f}"
+def number(value, factor=1.0, digits=3):
+    return "" if value is None else f"{factor * value:.{digits}f}"
 
 
 def outcome(results, command):
@@ -85,12 +92,11 @@ def read_json(file):
     return json.loads(file.read_text(encoding="utf-8"))
 
 
-def last_line(log):
-    """The last line that a job wrote, without what it overwrote; empty if it wrote none."""
+def why_stopped(log):
+    """The last words of a job that left no outcome."""
     if not log.is_file():
         return "not begun"
-    lines = log.read_text(encoding="utf-8", errors="replace").strip().splitlines() or ["stopped before its first word"]
-    return lines[-1].removeprefix("ease: ")
+    return last_words(log) or "stopped before its first word"
 
 
 def shorten(text, results):
@@ -122,7 +128,7 @@ body { font: 15px/1.45 system-ui, sans-serif; color: #222; background: #fbfbf9; 
 .wide { overflow-x: auto; } table { border-collapse: collapse; margin-top: 12px; }
 th { text-align: left; font-weight: 600; border-bottom: 2px solid #888; cursor: pointer; vertical-align: bottom; }
 th, td { padding: 4px 10px; } td { border-bottom: 1px solid #ddd; vertical-align: top; }
-.n { text-align: right; white-space: nowrap; } .why, .warnings { max-width: 340px; font-size: 13px; color: #555; }
+.n { text-align: right; white-space: nowrap; } .why { max-width: 340px; min-width: 180px; font-size: 13px; color: #555; }
 img { width: 150px; height: auto; display: block; } .result { white-space: nowrap; border-left: 6px solid #d98a1f; }
 .good { border-color: #2b6ca3; } .bad { border-color: #a32b2b; }
 @media print { input { display: none; } tr { break-inside: avoid; } body { background: #fff; font-size: 11px; } img { width: 90px; } }
@@ -174,13 +180,17 @@ def line_of(row, folder):
     pictures = [link(f"{name}/{file}", f'<img src="{html.escape(name)}/{file}" alt="{words}" loading="lazy">')
                 for file, words in (("stretch.png", "stretch on the last pose"), ("pattern.png", "pattern"))
                 if row["result"] not in ("failed", "not finished") and (folder / name / file).is_file()]
-    text = [html.escape(part) for part in (row["why"], *row["warnings"].split(" | ")) if part]
+    warnings = [html.escape(part) for part in row["warnings"].split(" | ") if part]
+    text = html.escape(row["why"])
+    if warnings:
+        text += (f'<details><summary>{plural(len(warnings), "warning", "warnings")}</summary>'
+                 f'{"<br>".join(warnings)}</details>')
     cells = [("", link(f"{name}/fit.html", html.escape(row["person"]))), ("", html.escape(row["garment"])),
              (f"result {kind}", row["result"]), ("", "".join(pictures)),
              ("n", arrow(row["stretch_before"], row["stretch_after"])),
              ("n", arrow(percent(row["over_limit_before_percent"]), percent(row["over_limit_after_percent"]))),
              ("n", percent(row["area_growth_percent"])), ("n", row["largest_growth"] and "× " + row["largest_growth"]),
-             ("n", row["pieces"] and link(f"{name}/pattern_a4.pdf", row["pieces"])), ("why", "<br>".join(text)),
+             ("n", row["pieces"] and link(f"{name}/pattern_a4.pdf", row["pieces"])), ("why", text),
              ("n time", " + ".join(row[time] + " s" for time in TIMES if row[time]))]
     return "<tr>" + "".join(f'<td class="{kind}">{cell}</td>' for kind, cell in cells) + "</tr>\n"
 
@@ -195,3 +205,7 @@ def percent(text):
 
 def plural(count, one, many):
     return f"{count} {one if count == 1 else many}"
+
+
+if __name__ == "__main__":
+    summarise(read_json(pathlib.Path(sys.argv[1], "plan.json")), sys.argv[1])

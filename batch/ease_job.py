@@ -82,7 +82,8 @@ def keep(outcome, code, reason, wall_s):
     """Writes the outcome whole or not at all."""
     partial = outcome + ".partial"
     pathlib.Path(partial).write_text(
-        json.dumps({"exit_code": code, "reason": reason, "wall_s": round(wall_s, 2)}) + "\n", encoding="utf-8")
+        json.dumps({"exit_code": code, "reason": reason, "wall_s": round(wall_s, 2),
+                    "ended": time.strftime("%FT%T%z")}) + "\n", encoding="utf-8")
     os.replace(partial, outcome)
     return 0
 
