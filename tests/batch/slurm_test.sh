@@ -3,11 +3,12 @@
 # one row is broken, one node is drained and comes back, one job is cancelled, and the command itself is killed.  After
 # that the summary must equal the one of a batch without these faults, byte for byte but times.
 #
-# Needs root and, from Debian's packages, snakemake, slurm-wlm and munge; Ease built in build/release.  Takes some minutes.
-# WORK names a folder to keep the results in; by default they are removed.
+# Needs root and, from Debian's packages, snakemake, slurm-wlm and munge.  Takes some minutes.  EASE names the program
+# (default build/release/apps/ease), WORK a folder to keep the results in; by default they are removed.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=${WORK:-$(mktemp -d)}
+ease=${EASE:-$root/build/release/apps/ease}
 mkdir -p "$work"
 export SLURM_CONF=$work/slurm.conf
 daemons=()
@@ -113,7 +114,7 @@ SCENE
 
 batch() {
   (cd "$work" && exec snakemake -s "$root/batch/Snakefile" --profile "$root/batch/slurm" --latency-wait 10 \
-    --config table=people.csv out="$1" ease="$root/build/release/apps/ease") >>"$work/$1.log" 2>&1
+    --config table=people.csv out="$1" ease="$ease") >>"$work/$1.log" 2>&1
 }
 
 finished() { find "$work/$1" 2>/dev/null -name '*.run.json' -o -name '*.pattern.json' | wc -l || true; }
@@ -145,7 +146,7 @@ batch calm
 say "without faults: $(finished calm) jobs in $((SECONDS - begin)) s"
 
 say "with faults"
-batch stormy &
+batch stormy 2>/dev/null &
 command=$!
 wait_for stormy 4
 scontrol update nodename=west state=drain reason=test
@@ -166,6 +167,7 @@ find "$work/stormy" -name '*.json' -path '*person*' ! -name report.json ! -path 
   -exec stat -c '%n %Y' {} + | sort >"$work/before.txt"
 batch stormy
 say "the same command again: $before jobs had ended, now $(finished stormy)"
+grep -q 'Resuming incomplete job' "$work/stormy.log" || { echo "slurm_test: no running job was waited for" >&2; exit 1; }
 
 while read -r file time; do
   [ "$(stat -c %Y "$file")" = "$time" ] || { echo "slurm_test: $file was computed again" >&2; exit 1; }
