@@ -128,10 +128,12 @@ body { font: 15px/1.45 system-ui, sans-serif; color: #222; background: #fbfbf9; 
 .wide { overflow-x: auto; } table { border-collapse: collapse; margin-top: 12px; }
 th { text-align: left; font-weight: 600; border-bottom: 2px solid #888; cursor: pointer; vertical-align: bottom; }
 th, td { padding: 4px 10px; } td { border-bottom: 1px solid #ddd; vertical-align: top; }
-.n { text-align: right; white-space: nowrap; } .why { max-width: 340px; min-width: 180px; font-size: 13px; color: #555; }
+.n { text-align: right; white-space: nowrap; } 
+.why { max-width: 340px; min-width: 180px; font-size: 13px; color: #555; }
 img { width: 150px; height: auto; display: block; } .result { white-space: nowrap; border-left: 6px solid #d98a1f; }
 .good { border-color: #2b6ca3; } .bad { border-color: #a32b2b; }
-@media print { input { display: none; } tr { break-inside: avoid; } body { background: #fff; font-size: 11px; } img { width: 90px; } }
+@media print { input { display: none; } tr { break-inside: avoid; } body { background: #fff; font-size: 11px; }
+  img { width: 90px; } }
 """
 
 SCRIPT = """
@@ -148,8 +150,8 @@ document.querySelectorAll("th").forEach((head, column) => head.addEventListener(
 }));
 """
 
-HEADS = ("person", "garment", "result", "pictures", "largest stretch before → after", "over the limit before → after",
-         "cloth added", "most let out", "pieces", "why, warnings", "time")
+HEADS = ("person", "garment", "result", "pictures", "largest stretch before → after", 
+        "over the limit before → after",  "cloth added", "most let out", "pieces", "why, warnings", "time")
 
 
 def html_of(rows, folder):
@@ -158,21 +160,22 @@ def html_of(rows, folder):
     for row in rows:
         counts[row["result"]] = counts.get(row["result"], 0) + 1
     people = len({row["person"] for row in rows})
-    words = ", ".join(f"{count} {result}" for result, count in sorted(counts.items(), key=lambda c: (c[0] != FITS, c[0])))
+    by_result = sorted(counts.items(), key=lambda count: (count[0] != FITS, count[0]))
+    words = ", ".join(f"{count} {result}" for result, count in by_result)
     heads = "".join(f"<th>{head}</th>" for head in HEADS)
     lines = "".join(line_of(row, folder) for row in rows)
     return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>Summary</title>\n'
             f'<meta name="viewport" content="width=device-width, initial-scale=1"><style>{STYLE}</style></head><body>\n'
             f'<h1>Summary</h1>\n<p class="counts">{plural(len(rows), "garment", "garments")} of '
-            f'{plural(people, "person", "people")}: {words}.</p>\n<p><input type="search" placeholder="show rows with this '
-            f'word" aria-label="show rows with this word"> A click on a column sorts by it.</p>\n<div class="wide">'
+            f'{plural(people, "person", "people")}: {words}.</p>\n<p><input type="search" placeholder="show rows with '
+            f'this word" aria-label="show rows with this word"> A click on a column sorts by it.</p>\n<div class="wide">'
             f'<table><thead><tr>{heads}</tr></thead><tbody>\n{lines}</tbody></table></div>\n<script>{SCRIPT}</script>\n'
             f'</body></html>\n')
 
 
 def line_of(row, folder):
     name = f"{row['person']}/{row['garment']}"
-    kind = "good" if row["result"] == FITS else "bad" if row["result"] in ("failed", "doubtful", "not finished") else "fair"
+    kind = {FITS: "good", "failed": "bad", "doubtful": "bad", "not finished": "bad"}.get(row["result"], "fair")
 
     def link(file, words):
         return f'<a href="{html.escape(file)}">{words}</a>' if (folder / file).is_file() else words

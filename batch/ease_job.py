@@ -3,8 +3,8 @@
     python3 ease_job.py run|pattern --ease EASE --scene SCENE --results DIR --threads N --log FILE --outcome FILE.json
 
 The outcome is written where Ease has said its last word: done, or refused, failed and doubtful, which another try would
-not change.  Then this ends with 0, so that the batch goes on.  A job that was stopped from outside (interrupted, killed,
-out of memory, its results held by another run) leaves no outcome and ends with another code: it is to be tried again.
+not change.  Then this ends with 0, so that the batch goes on.  A job that was stopped from outside (interrupted,
+killed, out of memory, its results held by another run) leaves no outcome and ends with another code: it is to be tried again.
 """
 
 import argparse

@@ -1,8 +1,8 @@
 """The table of a batch: a row for each person and garment.
 
 Columns: `person` and `scene` (a template, scene_template.py; several are separated by ';') must be there.  `garment`
-names the results (default: the template's name), `pattern` is yes or no (default yes).  `folder`, `poses` and `mesh` are
-paths, relative to the table.  All other columns fill names in braces; those that begin with '#' are notes.
+names the results (default: the template's name), `pattern` is yes or no (default yes).  `folder`, `poses` and `mesh`
+are paths, relative to the table.  All other columns fill names in braces; those that begin with '#' are notes.
 """
 
 import csv
@@ -91,8 +91,8 @@ def check_header(path, header):
         if header.index(name) != k:
             raise TableError(f"{path}: row 1, column {name}: there are two columns of this name")
         if not name.startswith("#") and not re.fullmatch(scene_template.NAME, name):
-            raise TableError(f"{path}: row 1, column {k + 1}: '{name}': expected letters, digits and _, or '#' in front of "
-                             "a note")
+            raise TableError(f"{path}: row 1, column {k + 1}: '{name}': expected letters, digits and _, or '#' in "
+                             "front of a note")
 
 
 def rows_of(path, number, values):

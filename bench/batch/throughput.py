@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What makes more garments an hour: as many jobs side by side as there are cores, each with one thread, or one job after
-the other with all threads?  Measures both in turn, since the machine may have other work, and prints medians.
+"""What makes more garments an hour: as many jobs side by side as there are cores, each with one thread, or one job
+after the other with all threads?  Measures both in turn, since the machine may have other work, and prints medians.
 
     bench/batch/throughput.py EASE SCENE [--repeat 5]
 """
@@ -40,9 +40,10 @@ def main():
 
 def run(options, folder, jobs, threads):
     """Runs jobs at the same time; ends when all have ended."""
-    commands = [[options.ease, "run", options.scene, "-o", str(pathlib.Path(folder, str(job))), "--threads", str(threads)]
-                for job in jobs]
-    processes = [subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for command in commands]
+    processes = []
+    for job in jobs:
+        command = [options.ease, "run", options.scene, "-o", f"{folder}/{job}", "--threads", str(threads)]
+        processes.append(subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL))
     for process in processes:
         if process.wait() not in (0, 3):
             raise SystemExit(f"throughput: {' '.join(process.args)}: ended with {process.returncode}")

@@ -55,7 +55,8 @@ class EaseJob(BatchCase):
 
     def test_a_signal_is_handed_on_and_ease_ends_in_order(self):
         begun = self.folder / "begun"
-        script = f"trap 'echo \"ease: interrupted: nothing was written\"; exit 130' TERM; touch {begun}; sleep 20 & wait $!"
+        script = (f"trap 'echo \"ease: interrupted: nothing was written\"; exit 130' TERM\n"
+                  f"touch {begun}; sleep 20 & wait $!")
         process = subprocess.Popen(self.command(script), stderr=subprocess.DEVNULL)
         while not begun.exists():
             time.sleep(0.01)

@@ -107,7 +107,9 @@ SCENE
     for k in $(seq 12); do
       chest=0.$((84 + k))
       [ "$k" != 7 ] || chest=3
-      echo "person_$k,t-shirt.toml;dress.toml,1.$((60 + 2 * k)),$chest,$([ $((k % 3)) = 0 ] && echo 0.06),$([ $((k % 4)) = 0 ] && echo yes || echo no)"
+      limit=$([ $((k % 3)) != 0 ] || echo 0.06)
+      pattern=$([ $((k % 4)) = 0 ] && echo yes || echo no)
+      echo "person_$k,t-shirt.toml;dress.toml,1.$((60 + 2 * k)),$chest,$limit,$pattern"
     done
   } >"$work/people.csv"
 }
@@ -167,7 +169,8 @@ find "$work/stormy" -name '*.json' -path '*person*' ! -name report.json ! -path 
   -exec stat -c '%n %Y' {} + | sort >"$work/before.txt"
 batch stormy
 say "the same command again: $before jobs had ended, now $(finished stormy)"
-grep -q 'Resuming incomplete job' "$work/stormy.log" || { echo "slurm_test: no running job was waited for" >&2; exit 1; }
+grep -q 'Resuming incomplete job' "$work/stormy.log" ||
+  { echo "slurm_test: no job that ran on was waited for" >&2; exit 1; }
 
 while read -r file time; do
   [ "$(stat -c %Y "$file")" = "$time" ] || { echo "slurm_test: $file was computed again" >&2; exit 1; }

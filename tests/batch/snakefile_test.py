@@ -1,4 +1,4 @@
-"""Runs batch/Snakefile on a tiny table: snakefile_test.py EASE.  Ends with 77, skipped, where Snakemake is not installed."""
+"""Runs batch/Snakefile on a tiny table: snakefile_test.py EASE.  Ends with 77, skipped, where there is no Snakemake."""
 
 import csv
 import shutil
