@@ -150,8 +150,8 @@ document.querySelectorAll("th").forEach((head, column) => head.addEventListener(
 }));
 """
 
-HEADS = ("person", "garment", "result", "pictures", "largest stretch before → after", 
-        "over the limit before → after",  "cloth added", "most let out", "pieces", "why, warnings", "time")
+HEADS = ("person", "garment", "result", "pictures", "largest stretch before → after",
+         "over the limit before → after", "cloth added", "most let out", "pieces", "why, warnings", "time")
 
 
 def html_of(rows, folder):

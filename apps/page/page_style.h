@@ -25,7 +25,7 @@ img { width: 100%; height: auto; display: block; }
 .crumpled span { display: inline-block; width: 28px; height: 12px; }
 .wide { overflow-x: auto; } table { border-collapse: collapse; font-size: 15px; }
 td, th { padding: 3px 12px; border-bottom: 1px solid #ddd; text-align: right; font-weight: 400; }
-tr:first-child th { font-size: 13px; color: #555; vertical-align: bottom; } th:first-child { text-align: left; }
+tr:first-child th { font-size: 13px; color: #555; vertical-align: bottom; } th:first-child { text-align: left; white-space: nowrap; }
 tr:last-child { font-weight: 600; }
 .charts { display: grid; grid-template-columns: 1fr 1fr; gap: 16px; }
 .charts .title { font-size: 13px; } .charts .y { text-anchor: end; } .charts .x { text-anchor: middle; }
@@ -35,7 +35,8 @@ pre { background: #f2f2ee; padding: 12px; overflow-x: auto; font-size: 13px; }
 @page { size: A4; margin: 14mm; }
 @media print { body { background: #fff; font-size: 12px; padding: 0; print-color-adjust: exact; }
   .motion { max-width: 320px; } .motion input { display: none; } .figures dd { font-size: 16px; }
-  figure, svg, tr, .sides, .verdict { break-inside: avoid; } h2, h3, h4, .legend, .crumpled { break-after: avoid; } }
+  figure, svg, .wide, .sides, .verdict { break-inside: avoid; }
+  h2, h2 + p, h3, h4, .legend, .crumpled { break-after: avoid; } }
 )";
 
 /// The slider shows one moment of the motion; fit.html#moment=5 opens the page at the sixth.
