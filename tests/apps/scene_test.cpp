@@ -116,7 +116,8 @@ every = 16
 
 TEST_CASE("replays are written where there are any") {
   CHECK(sceneOf(kBody + "[adaption]\n[output]\nreplays = true\n").output->replays);
-  CHECK_THAT(errorOf(kBody + "[output]\nreplays = true\n"), Contains("replays") && Contains("nothing else is replayed"));
+  CHECK_THAT(errorOf(kBody + "[output]\nreplays = true\n"),
+             Contains("replays") && Contains("nothing else is replayed"));
   CHECK_THAT(errorOf(kBody + "[adaption]\nmode = 'sequential'\nverify = false\n[output]\nreplays = true\n"),
              Contains("nothing else is replayed"));
 }
