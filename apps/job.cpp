@@ -80,12 +80,6 @@ class Job {
   }
 
  private:
-  static InputNumbering numberingOf(const SceneInput& input, const std::optional<Checkpoint>& resume_from) {
-    InputNumbering numbering = spatialNumbering(input);
-    if (resume_from) numbering.garment = resume_from->numbering;
-    return numbering;
-  }
-
   bool verifies() const { return scene_.adaption && scene_.adaption->verify && !fitsInPasses(scene_); }
 
   std::vector<Moment> momentsLeft() const {
@@ -120,14 +114,19 @@ class Job {
     return watch;
   }
 
+  /// Starts a series, into which the frames of the watched run go (series_of_run.h).
+  void writeFrames(std::optional<SeriesOfRun>& series, RunWatch& watch, double keep_until = -1.0,
+                   const std::string& replay = "") const {
+    series.emplace(directory_, given_, numbering_, first_areas_, limit(), keep_until, replay);
+    watch.on_frame = [&series](const Snapshot& snapshot) { series->write(snapshot); };
+  }
+
   void adaptingRun() {
     std::optional<SeriesOfRun> series;
     RunWatch run_watch = watch(scene_.adaption ? "adapting" : "simulating", verifies() ? nullptr : &album_after_);
     if (scene_.output && !momentsLeft().empty()) {  // otherwise only the replays are left
-      const double keep_until =
-          append_to_series_ ? (resume_from_->run.done.all + 0.5) * resume_from_->time_step_s : -1.0;
-      series.emplace(directory_, given_, numbering_, first_areas_, limit(), keep_until);
-      run_watch.on_frame = [&](const Snapshot& snapshot) { series->write(snapshot); };
+      writeFrames(series, run_watch,
+                  append_to_series_ ? (resume_from_->run.done.all + 0.5) * resume_from_->time_step_s : -1.0);
     }
     run_watch.on_checkpoint = [&](const RunState& state) {
       if (series) series->finish();  // frames must be on disk before the checkpoint after them
@@ -164,18 +163,17 @@ class Job {
     const RunInput run_input = runInput(scene_, input_, body());
     Fit fit(runSettings(scene_, adaptingSchedule(scene_)), scene_.adaption->fit, run_input, *cloth_);
     if (resume_from_ && resumesFit(*resume_from_, scene_, given_, input_)) fit.resume(resume_from_->fit);
-    std::optional<SeriesOfRun> series;
+    std::optional<SeriesOfRun> series, before;
     FitWatch fit_watch;
     fit_watch.interrupted = &interrupted_;
     fit_watch.of_pass = [&](int pass) {
-      return watch(fmt::format("pass {}", pass), pass == 1 ? &album_before_ : nullptr);
+      RunWatch run_watch = watch(fmt::format("pass {}", pass), pass == 1 ? &album_before_ : nullptr);
+      if (pass == 1 && writesReplays(scene_)) writeFrames(before, run_watch, -1.0, "before");
+      return run_watch;
     };
     fit_watch.of_check = [&] {
       RunWatch run_watch = watch("check", &album_after_);
-      if (!scene_.output) return run_watch;
-      series.reset();
-      series.emplace(directory_, given_, numbering_, first_areas_, limit());
-      run_watch.on_frame = [&](const Snapshot& snapshot) { series->write(snapshot); };
+      if (scene_.output) writeFrames(series, run_watch);
       return run_watch;
     };
     fit_watch.on_pass = [&](const FitState& state) {
@@ -184,7 +182,8 @@ class Job {
     };
     const auto finish = [&] {
       recordFit(fit, std::chrono::duration<double>(Clock::now() - begin_).count(), report_);
-      if (series) series->finish();
+      for (auto* written : {&before, &series})
+        if (*written) (*written)->finish();
       writeRestShape();
     };
     finishingAlways([&] { fit.run(fit_watch); }, finish);
@@ -217,18 +216,22 @@ class Job {
 
   void replays() {
     const RestShape adapted = cloth_->rest();
-    replay(cloth_->first(), "replaying the first rest shape", report_.before, before_, album_before_);
-    replay(adapted, "replaying the adapted rest shape", report_.after, after_, album_after_);
+    replay(cloth_->first(), "before", "replaying the first rest shape", report_.before, before_, album_before_);
+    replay(adapted, "after", "replaying the adapted rest shape", report_.after, after_, album_after_);
     report_.verified = !interrupted_;
   }
 
-  void replay(const RestShape& rest, const char* activity, PassRecord& record, ShownReplay& replay,
+  void replay(const RestShape& rest, const char* name, const char* activity, PassRecord& record, ShownReplay& replay,
               MotionAlbum& album) {
     if (interrupted_) return;
     cloth_->setRest(rest);
     const RunInput run_input = runInput(scene_, input_, body());
     Run run(runSettings(scene_, replaySchedule(scene_)), run_input, *cloth_);
-    run.run(watch(activity, &album));
+    RunWatch run_watch = watch(activity, &album);
+    std::optional<SeriesOfRun> series;
+    if (writesReplays(scene_)) writeFrames(series, run_watch, -1.0, name);
+    run.run(run_watch);
+    if (series) series->finish();
     record = run.record();
     replay = shown(rest, run.state().positions);
   }

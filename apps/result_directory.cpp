@@ -149,7 +149,8 @@ void removeOldResults(const fs::path& directory, bool goes_on) {
   if (goes_on) return;
   removeEarlierReport(directory);
   removeResult(directory / kCheckpoint);
-  for (const char* series : {"garment", "body", "rest"}) removeSeries(directory, series);
+  for (const char* series : {"garment", "body", "rest", "before_garment", "before_body", "after_garment", "after_body"})
+    removeSeries(directory, series);
 }
 
 void removeOldPattern(const fs::path& directory) {

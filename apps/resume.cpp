@@ -107,6 +107,12 @@ bool resumesFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInp
          checkpoint.paint == input.paint;
 }
 
+InputNumbering numberingOf(const SceneInput& input, const std::optional<Checkpoint>& checkpoint) {
+  InputNumbering numbering = spatialNumbering(input);
+  if (checkpoint) numbering.garment = checkpoint->numbering;
+  return numbering;
+}
+
 bool isAtEnd(const Checkpoint& checkpoint, const std::filesystem::path& directory, const Scene& scene,
              const SceneInput& input) {
   const bool replays = scene.adaption && scene.adaption->verify;

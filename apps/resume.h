@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "apps/checkpoint.h"
 #include "apps/scene.h"
@@ -33,6 +34,9 @@ std::vector<std::uint64_t> posesOfWholeMotion(const Scene& scene, const SceneInp
 /// Whether the passes of the checkpoint are passes of this scene: the same motion and the same paint.  Otherwise they
 /// begin anew.  `given`: in the numbering of its files; `input`: in that of the checkpoint.
 bool resumesFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& given, const SceneInput& input);
+
+/// How a run numbers its garment and body: as the checkpoint that it goes on from, or else along a curve through space.
+InputNumbering numberingOf(const SceneInput& input, const std::optional<Checkpoint>& checkpoint);
 
 /// Whether nothing is left to do for the scene after the checkpoint in `directory`, reports included.
 bool isAtEnd(const Checkpoint& checkpoint, const std::filesystem::path& directory, const Scene& scene,

@@ -194,10 +194,13 @@ AdaptionScene readAdaption(const TomlTable& table, double time_step) {
   return adaption;
 }
 
-OutputScene readOutput(const TomlTable& table) {
-  table.allow({"every"});
+OutputScene readOutput(const TomlTable& table, const std::optional<AdaptionScene>& adaption) {
+  table.allow({"every", "replays"});
   OutputScene output;
   output.every = table.integer("every", output.every, 1, 1000000);
+  output.replays = table.boolean("replays", output.replays);
+  if (output.replays && !(adaption && adaption->verify))
+    table.refuse("replays", "an [adaption] that is verified, or false: nothing else is replayed");
   return output;
 }
 
@@ -266,7 +269,7 @@ Scene readRoot(const TomlTable& root, const std::filesystem::path& file, bool ma
   divideMotion(root, scene);
   if (const auto adaption = root.table("adaption")) scene.adaption = readAdaption(*adaption, scene.solver.time_step);
   if (fitsInPasses(scene) && !(material && material->has("compression"))) scene.material.compression = kPassCompression;
-  if (const auto output = root.table("output")) scene.output = readOutput(*output);
+  if (const auto output = root.table("output")) scene.output = readOutput(*output, scene.adaption);
   if (const auto pattern = root.table("pattern")) scene.pattern = readPattern(*pattern);
   checkLength(root, scene);
   return scene;

@@ -91,7 +91,8 @@ struct AdaptionScene {
 };
 
 struct OutputScene {
-  int every = 8;  // time steps per written frame
+  int every = 8;         // time steps per written frame
+  bool replays = false;  // the replays on the first and on the adapted rest shape are written, too
 };
 
 struct Scene {
@@ -110,6 +111,11 @@ struct Scene {
 /// Whether the scene's rest shape is fitted in passes.
 inline bool fitsInPasses(const Scene& scene) {
   return scene.adaption && scene.adaption->mode == AdaptionMode::passes;
+}
+
+/// Whether the scene asks for series of the replays.
+inline bool writesReplays(const Scene& scene) {
+  return scene.output && scene.output->replays;
 }
 
 /// Reads a scene.  Throws InputError with file, line, key, the value found and what was expected: unknown keys (with

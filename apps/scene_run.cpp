@@ -29,6 +29,7 @@ Schedule replaySchedule(const Scene& scene) {
   schedule.measure_every = scene.adaption ? scene.adaption->every
                            : scene.output ? scene.output->every
                                           : kDefaultInterval;
+  if (writesReplays(scene)) schedule.write_every = scene.output->every;
   return schedule;
 }
 

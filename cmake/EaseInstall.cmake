@@ -1,7 +1,7 @@
 # What `cmake --install` puts where:
 #
 #   lib/libease_COMPONENT.a, include/ease/FOLDER/...h, lib/cmake/ease/       the libraries, with find_package(ease)
-#   bin/ease, its man page, the completion of its command line, scenes, licence   the program
+#   bin/ease, its man page, the completion of its command line, scenes, batch, licence   the program
 #
 # Install component `library` or `program` selects one of the two.
 include(GNUInstallDirs)
@@ -43,5 +43,7 @@ if(EASE_BUILD_APPS)
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
   install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ease/scenes COMPONENT program
     FILES_MATCHING PATTERN "*.toml")
+  install(DIRECTORY batch/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ease/batch COMPONENT program
+    USE_SOURCE_PERMISSIONS PATTERN "__pycache__" EXCLUDE)
   include(EasePackage)
 endif()

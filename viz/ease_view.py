@@ -1,9 +1,12 @@
 #!/usr/bin/env pvpython
-"""Shows a result of Ease in ParaView (tried with 5.11): the garment coloured by a value per triangle, on the body.
+"""Shows a result of Ease in ParaView (tried with 5.11): the garment coloured by a value, on the body.
 
-  pvpython viz/ease_view.py RESULT_DIR --picture last.png         the last frame
+  pvpython viz/ease_view.py RESULT_DIR --picture last.png         stretch in the last frame
+  pvpython viz/ease_view.py RESULT_DIR --show pressure            or ease, growth; as on the page of a run, fit.html
+  pvpython viz/ease_view.py RESULT_DIR --series before            the first rest shape ([output] replays = true)
   pvpython viz/ease_view.py RESULT_DIR --animation motion.avi     all frames (.avi, .ogv, or .png: numbered)
-  paraview --script=viz/ease_view.py                              open in the window; EASE_RESULT names RESULT_DIR
+  paraview --script=viz/ease_view.py                              open in the window; EASE_RESULT names RESULT_DIR,
+                                                                  EASE_SHOW what is shown
 
 Without a display: xvfb-run -a -s "-screen 0 1600x1000x24" pvpython ...
 
@@ -25,6 +28,14 @@ BELOW = [(234, 242, 248), (190, 214, 229), (124, 176, 211)]
 OVER = [(243, 112, 33), (201, 42, 28), (122, 8, 38)]
 DEEP = [(44, 104, 160), (12, 44, 92)]  # goes on from BELOW where no limit is marked
 
+# What --show shows: array, title, ends of the scale, where orange begins, values that are marked.  None: from the result.
+PRESETS = {
+    "stretch": ("sigma_1", "stretch", None, None, []),
+    "pressure": ("contact_pressure_Pa", "pressure, Pa: 2000 firm, 5900 painful", (0, 10000), 5900, [2000, 5900]),
+    "ease": ("gap_m", "ease beyond the comfort offset, m", (0, 0.05), None, []),
+    "growth": ("rest_area_ratio", "rest area over the first", None, None, []),
+}
+
 
 class InputError(Exception):
     """What the user gave cannot be used; one line."""
@@ -38,17 +49,31 @@ def parse_arguments(arguments):
     parser.add_argument("result", metavar="RESULT_DIR", nargs="?", default=os.environ.get("EASE_RESULT"))
     parser.add_argument("--picture", metavar="FILE.png", help="save the last frame")
     parser.add_argument("--animation", metavar="FILE", help="save all frames (.avi, .ogv, or .png: numbered)")
-    parser.add_argument("--array", default="sigma_1", help="value to show (default: sigma_1)")
+    parser.add_argument("--show", choices=PRESETS, default=os.environ.get("EASE_SHOW", "stretch"), help="what to show")
+    parser.add_argument("--array", help="show this array instead")
+    parser.add_argument("--series", choices=("before", "after"), help="show a replay instead of the run")
     parser.add_argument("--range", type=float, nargs=2, metavar=("LO", "HI"), help="ends of the colour scale")
-    parser.add_argument("--limit", type=float, help="where orange begins (default for sigma_1: the report's limit)")
+    parser.add_argument("--limit", type=float, help="where orange begins (default for stretch: the report's limit)")
     options = parser.parse_args(arguments)
     if options.result is None:
         raise InputError("no result directory: give RESULT_DIR or set EASE_RESULT")
+    if options.show not in PRESETS:
+        raise InputError(f"EASE_SHOW={options.show}: expected one of {', '.join(PRESETS)}")
+    apply_preset(options)
     if options.range and not options.range[0] < options.range[1]:
         raise InputError("--range {:g} {:g}: the first must be below the second".format(*options.range))
     check_ending("--picture", options.picture, [".png"])
     check_ending("--animation", options.animation, [".png", ".avi", ".ogv"])
     return options
+
+
+def apply_preset(options):
+    """What is shown, where the command line does not say otherwise."""
+    options.title, options.marks = options.array, []
+    if options.array is None:
+        options.array, options.title, value_range, limit, options.marks = PRESETS[options.show]
+        options.range = options.range or value_range
+        options.limit = limit if options.limit is None else options.limit
 
 
 def check_ending(option, name, endings):
@@ -89,7 +114,7 @@ def find_array(reader, name):
         if information.GetArray(name) is not None:
             return association
     known = sorted(list(reader.CellData.keys()) + list(reader.PointData.keys()))
-    raise InputError(f"no array {name} in garment.pvd; there are: {', '.join(known)}")
+    raise InputError(f"no array {name} in this series; there are: {', '.join(known)}")
 
 
 def range_over_time(reader, times, association, name):
@@ -136,19 +161,20 @@ def color_garment(display, view, association, options, value_range):
     table.RGBPoints = color_points(low, high, options.limit)
     table.ScalarRangeInitialized = 1.0
     bar = simple.GetScalarBar(table, view)
-    bar.Title = options.array
+    bar.Title = options.title
     bar.ComponentTitle = ""
     bar.TitleColor = bar.LabelColor = [0.15, 0.17, 0.19]
     bar.TitleFontSize = bar.LabelFontSize = 18
     bar.AutomaticLabelFormat = 0
-    bar.LabelFormat = bar.RangeLabelFormat = "%.3g"
+    bar.LabelFormat = bar.RangeLabelFormat = "%.5g"
     bar.WindowLocation = "Any Location"
     bar.Orientation = "Vertical"
     bar.Position = [0.88, 0.06]
     bar.ScalarBarLength = 0.5
-    if is_marked(options.limit, value_range):
+    marks = options.marks or [options.limit]
+    if all(is_marked(mark, value_range) for mark in marks):
         bar.UseCustomLabels = 1
-        bar.CustomLabels = [options.limit]
+        bar.CustomLabels = marks
     display.SetScalarBarVisibility(view, True)
 
 
@@ -180,11 +206,13 @@ def show(options):
     """Builds the scene and returns its view."""
     if not os.path.isdir(options.result):
         raise InputError(f"no such directory: {options.result}")
-    garment, times = open_series(options.result, "garment")
+    replay = options.series + "_" if options.series else ""
+    garment, times = open_series(options.result, replay + "garment")
     if garment is None:
-        raise InputError(f"no garment.pvd in {options.result}")
+        raise InputError(f"no {replay}garment.pvd in {options.result}: the scene needs [output]"
+                         + (" with replays = true" if replay else ""))
     if not times:
-        raise InputError(f"no frames in {os.path.join(options.result, 'garment.pvd')}")
+        raise InputError(f"no frames in {os.path.join(options.result, replay + 'garment.pvd')}")
     association = find_array(garment, options.array)
     if options.limit is None and options.array == "sigma_1":
         options.limit = reported_limit(options.result)
@@ -198,7 +226,7 @@ def show(options):
     cloth = simple.Show(garment, view)
     cloth.Ambient, cloth.Diffuse = LIGHT
     color_garment(cloth, view, association, options, value_range)
-    body, _ = open_series(options.result, "body")
+    body, _ = open_series(options.result, replay + "body")
     if body is not None:
         skin = simple.Show(body, view)
         skin.Ambient, skin.Diffuse = LIGHT

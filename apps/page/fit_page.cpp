@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "apps/page/fit_figures.h"
@@ -113,6 +114,11 @@ class Writer {
     }
     number(high, 420, "end", "");
     add("</svg>\n");
+    if (value.title != "Stretch" || !page_.scene.adaption) return;
+    const Rgb grey = value.scale.color(std::numeric_limits<double>::quiet_NaN());
+    add("<p class=\"crumpled\"><span style=\"background: #{:02x}{:02x}{:02x}\"></span> over the limit, but "
+        "crumpled</p>\n",
+        grey[0], grey[1], grey[2]);
   }
 
   void row(PagePictures& pictures, const std::string& title, const ShownMoment& moment,

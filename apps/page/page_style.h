@@ -21,17 +21,22 @@ img { width: 100%; height: auto; display: block; }
 .motion input { width: 100%; }
 .legend { width: 420px; max-width: 100%; display: block; margin: 4px 0; }
 .legend text, .charts text { font: 11px system-ui, sans-serif; fill: #444; } .mark { stroke: #000; }
+.crumpled { margin: 0 0 4px; font-size: 13px; color: #444; }
+.crumpled span { display: inline-block; width: 28px; height: 12px; }
 .wide { overflow-x: auto; } table { border-collapse: collapse; font-size: 15px; }
 td, th { padding: 3px 12px; border-bottom: 1px solid #ddd; text-align: right; font-weight: 400; }
-tr:first-child th { font-size: 13px; color: #555; vertical-align: bottom; } th:first-child { text-align: left; }
+tr:first-child th { font-size: 13px; color: #555; vertical-align: bottom; } th:first-child { text-align: left; white-space: nowrap; }
 tr:last-child { font-weight: 600; }
 .charts { display: grid; grid-template-columns: 1fr 1fr; gap: 16px; }
 .charts .title { font-size: 13px; } .charts .y { text-anchor: end; } .charts .x { text-anchor: middle; }
 .line { fill: none; stroke-width: 1.6; } .grid { stroke: #e2e2de; } .limit { stroke: #a32b2b; stroke-dasharray: 5 4; }
 pre { background: #f2f2ee; padding: 12px; overflow-x: auto; font-size: 13px; }
 @media (max-width: 640px) { .sides { grid-template-columns: 1fr 1fr; } .charts { grid-template-columns: 1fr; } }
-@media print { body { background: #fff; font-size: 12px; } .motion input { display: none; } figure, svg, tr { break-inside: avoid; }
-  h2, h3, h4 { break-after: avoid; } }
+@page { size: A4; margin: 14mm; }
+@media print { body { background: #fff; font-size: 12px; padding: 0; print-color-adjust: exact; }
+  .motion { max-width: 320px; } .motion input { display: none; } .figures dd { font-size: 16px; }
+  figure, svg, .wide, .sides, .verdict { break-inside: avoid; }
+  h2, h2 + p, h3, h4, .legend, .crumpled { break-after: avoid; } }
 )";
 
 /// The slider shows one moment of the motion; fit.html#moment=5 opens the page at the sixth.

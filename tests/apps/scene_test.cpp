@@ -110,7 +110,16 @@ every = 16
   CHECK_FALSE(scene.adaption->verify);
   REQUIRE(scene.output);
   CHECK(scene.output->every == 16);
+  CHECK_FALSE(scene.output->replays);
   CHECK(timeStepsOfMotion(replaySchedule(scene)) == 2 * 50 * 3);
+}
+
+TEST_CASE("replays are written where there are any") {
+  CHECK(sceneOf(kBody + "[adaption]\n[output]\nreplays = true\n").output->replays);
+  CHECK_THAT(errorOf(kBody + "[output]\nreplays = true\n"),
+             Contains("replays") && Contains("nothing else is replayed"));
+  CHECK_THAT(errorOf(kBody + "[adaption]\nmode = 'sequential'\nverify = false\n[output]\nreplays = true\n"),
+             Contains("nothing else is replayed"));
 }
 
 TEST_CASE("one number of stretch serves warp and weft") {

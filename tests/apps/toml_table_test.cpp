@@ -14,7 +14,7 @@ TEST_CASE("a misspelt key is named with its line and the nearest known one") {
         "scene.toml:4: 'adaptation' is not a known table; did you mean 'adaption'?");
   CHECK(errorOf("nmae = 'x'\n" + kBody) == "scene.toml:1: 'nmae' is not a known key; did you mean 'name'?");
   CHECK(errorOf(kBody + "[output]\nfolder = 'x'\n") ==
-        "scene.toml:5: [output] 'folder' is not a known key; known here: 'every'");
+        "scene.toml:5: [output] 'folder' is not a known key; known here: 'every' or 'replays'");
   CHECK(errorOf(kBody + "[[garment.pin]]\nlop = 'top'\n") ==
         "scene.toml:5: [[garment.pin]] 'lop' is not a known key; did you mean 'loop'?");
   CHECK(errorOf(kBody + "[material]\ndamping = {strech = 1}\n") ==
