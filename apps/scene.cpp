@@ -24,7 +24,7 @@ constexpr double kMeasuringInterval = 0.02;  // s, between measurements of the s
 // A rest shape that is fitted in passes depends little on how accurate the time steps are (docs/benchmarks.md): by
 // default they are as long, and as rough, as pays.
 constexpr double kPassTimeStep = 0.0125;  // s
-constexpr double kPassTolerance = 0.4;
+constexpr double kPassTolerance = 0.2;
 constexpr double kPassCompression = 0.05;  // wrinkles finer than the triangles (docs/numerics.md)
 
 /// Measures of the built-in body: the height first, since the others are judged by it.
