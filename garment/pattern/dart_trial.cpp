@@ -18,7 +18,7 @@ Badness badnessOf(const FlatPieces& flat, const std::vector<ThreadStrain>& strai
 
 }  // namespace
 
-Trial flattenPart(const Part& part, const std::vector<Seam>& darts, const FlatSettings& settings, int iterations) {
+Trial flattenPart(const PieceMesh& part, const std::vector<Seam>& darts, const FlatSettings& settings, int iterations) {
   std::vector<CutLine> lines;
   for (const Seam& dart : darts) lines.push_back({dart, LineKind::dart});
   const CutGarment cut = cutGarment(part.mesh, lines, {});
@@ -45,8 +45,8 @@ Trial flattenPart(const Part& part, const std::vector<Seam>& darts, const FlatSe
   return trial;
 }
 
-Part partOf(const RestGarment& garment, const Pieces& pieces, int piece) {
-  Part part;
+PieceMesh partOf(const RestGarment& garment, const Pieces& pieces, int piece) {
+  PieceMesh part;
   std::vector<int> number(pieces.glue.size(), -1);
   std::vector<int> triangles;
   for (size_t t = 0; t < pieces.piece.size(); ++t)

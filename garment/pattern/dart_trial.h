@@ -6,7 +6,7 @@
 namespace ease {
 
 /// One piece by itself, with its vertices' numbers in the garment.
-struct Part {
+struct PieceMesh {
   TriangleMesh mesh;
   std::vector<Mat2> rest_edges;
   std::vector<int> garment_vertex;
@@ -27,13 +27,13 @@ struct Trial {
   Badness badness;
   StrainSummary strain;
   bool is_sound = true;  // neither flipped nor across itself, as where a dart would need more cloth, not less
-  Positions x, corners;  // as in Part
+  Positions x, corners;  // as in PieceMesh
 };
 
 /// Flattens a part along darts, given by its own vertices, in at most so many iterations.
-Trial flattenPart(const Part& part, const std::vector<Seam>& darts, const FlatSettings& settings, int iterations);
+Trial flattenPart(const PieceMesh& part, const std::vector<Seam>& darts, const FlatSettings& settings, int iterations);
 
 /// The triangles of one piece of a garment.
-Part partOf(const RestGarment& garment, const Pieces& pieces, int piece);
+PieceMesh partOf(const RestGarment& garment, const Pieces& pieces, int piece);
 
 }  // namespace ease

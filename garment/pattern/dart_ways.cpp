@@ -20,7 +20,7 @@ std::vector<int> Ways::to(int tip) const {
   return way;
 }
 
-PartEdges::PartEdges(const Part& part)
+PartEdges::PartEdges(const PieceMesh& part)
     : neighbours_(part.mesh.positions.rows()), is_outline_(part.mesh.positions.rows(), 0) {
   const Topology topology = buildTopology(part.mesh, "a pattern piece");
   for (const Edge& edge : topology.edges) {

@@ -19,7 +19,7 @@ struct Ways {
 /// The edges of a part, with their lengths at rest.
 class PartEdges {
  public:
-  explicit PartEdges(const Part& part);
+  explicit PartEdges(const PieceMesh& part);
 
   /// From all vertices with `starts`, over vertices without `blocked`.
   Ways waysFrom(const std::vector<char>& starts, const std::vector<char>& blocked) const;

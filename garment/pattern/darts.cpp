@@ -27,7 +27,7 @@ constexpr int kRefused = 4;       // best candidates that are flattened further 
 /// The darts of one piece, found one after the other.
 class DartSearch {
  public:
-  DartSearch(const Part& part, const FlatSettings& settings, const std::vector<std::vector<Vec3>>& others)
+  DartSearch(const PieceMesh& part, const FlatSettings& settings, const std::vector<std::vector<Vec3>>& others)
       : part_(part), settings_(settings), edges_(part), others_(others), taken_(part.mesh.positions.rows(), 0) {}
 
   std::vector<Seam> run(int most) {
@@ -201,7 +201,7 @@ class DartSearch {
     return best;
   }
 
-  Part part_;
+  PieceMesh part_;
   const FlatSettings& settings_;
   const PartEdges edges_;
   std::vector<std::vector<Vec3>> others_;  // points of the darts so far, on this and on other pieces, m
@@ -222,7 +222,7 @@ std::vector<CutLine> withDarts(const RestGarment& garment, const std::vector<Cut
   std::vector<std::vector<Vec3>> places;  // of the darts so far
   int count = 0;
   for (int p = 0; p < pieces.count; ++p) {
-    const Part part = partOf(garment, pieces, p);
+    const PieceMesh part = partOf(garment, pieces, p);
     DartSearch search(part, settings, places);
     std::vector<std::vector<Vec3>> found;
     for (Seam dart : search.run(settings.max_darts - count)) {

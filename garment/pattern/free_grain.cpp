@@ -21,7 +21,7 @@ constexpr int kIterations = 120;        // of a trial
 /// One piece whose grain is turned.
 class Turning {
  public:
-  Turning(const Part& part, const FlatSettings& settings) : part_(part), settings_(settings) {
+  Turning(const PieceMesh& part, const FlatSettings& settings) : part_(part), settings_(settings) {
     given_ = flattenPart(part_, {}, settings_, kIterations);
     part_.x = given_.x;
     part_.corners = given_.corners;
@@ -51,7 +51,7 @@ class Turning {
   /// Mean stretch of the threads; infinite where the grain cannot be so.
   double stretchAt(int degrees) const {
     const Mat2 turn = Eigen::Rotation2D<double>(-degrees * kDegree).toRotationMatrix();
-    Part turned = part_;
+    PieceMesh turned = part_;
     for (Mat2& edges : turned.rest_edges) edges = turn * edges;
     turned.x.leftCols<2>() = part_.x.leftCols<2>() * turn.transpose();
     turned.corners.leftCols<2>() = part_.corners.leftCols<2>() * turn.transpose();
@@ -62,7 +62,7 @@ class Turning {
     return is_possible ? trial.strain.thread_mean : INFINITY;
   }
 
-  Part part_;
+  PieceMesh part_;
   const FlatSettings& settings_;
   Trial given_;  // with the garment's grain
 };

@@ -31,7 +31,7 @@ struct Outline {
   }
 };
 
-Outline flatOutline(const Part& part, const Positions& x) {
+Outline flatOutline(const PieceMesh& part, const Positions& x) {
   Outline outline{buildTopology(part.mesh, "a pattern piece").boundary_loops.front(), {0.0}};
   const size_t n = outline.vertices.size();
   for (size_t i = 0; i < n; ++i)
@@ -41,7 +41,7 @@ Outline flatOutline(const Part& part, const Positions& x) {
 }
 
 /// The cut that parts what overlaps, by the part's vertices; empty where nothing does or no cut was found.
-std::vector<int> cutThrough(const Part& part, const FlatSettings& settings) {
+std::vector<int> cutThrough(const PieceMesh& part, const FlatSettings& settings) {
   const Positions x = flattenPart(part, {}, settings, kIterations).x;
   const Outline outline = flatOutline(part, x);
   double shortest = outline.length(), middle = -1.0;
@@ -71,7 +71,7 @@ std::vector<CutLine> withoutOverlaps(const RestGarment& garment, const std::vect
     const Pieces pieces = cutIntoPieces(garment.mesh, seams);
     std::vector<std::vector<int>> cuts(pieces.count);
     parallelFor(pieces.count, 1, [&](int p) {
-      const Part part = partOf(garment, pieces, p);
+      const PieceMesh part = partOf(garment, pieces, p);
       cuts[p] = cutThrough(part, settings);
       for (int& v : cuts[p]) v = part.garment_vertex[v];
     });

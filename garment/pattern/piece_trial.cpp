@@ -17,7 +17,7 @@ constexpr double kStrictShare = 0.99;  // of the area
 
 PieceTrial tryPiece(const RestGarment& garment, const Pieces& pieces, int piece, const FlatSettings& settings) {
   PieceTrial result;
-  Part part = partOf(garment, pieces, piece);
+  PieceMesh part = partOf(garment, pieces, piece);
   std::vector<Seam> openings;
   Trial trial;
   try {
@@ -55,7 +55,7 @@ FlatSettings strictLimits(FlatSettings settings) {
 }
 
 bool isTooSmall(const RestGarment& garment, const Pieces& pieces, int piece, const SewableSize& size) {
-  Part part = partOf(garment, pieces, piece);
+  PieceMesh part = partOf(garment, pieces, piece);
   const RestSurface surface = restSurface(part.mesh, part.rest_edges);
   if (surface.side * surface.side < size.area) return true;
   std::vector<double> distance(surface.vertexCount(), std::numeric_limits<double>::infinity());

@@ -22,7 +22,7 @@ TriangleMesh makeCentredTube(int around, int along, double radius, double height
 }
 
 /// A run of a garment on poses that are given as meshes, not files.
-struct Trial {
+struct BodyTrial {
   Scene scene;
   SceneInput input;
   State state;
@@ -30,7 +30,7 @@ struct Trial {
   std::optional<Cloth> cloth;
   std::function<void(const Moment&)> on_step;
 
-  Trial(const TriangleMesh& garment, const std::vector<TriangleMesh>& poses, const std::string& method) {
+  BodyTrial(const TriangleMesh& garment, const std::vector<TriangleMesh>& poses, const std::string& method) {
     input.garment = garment;
     input.body_triangles = poses.front().triangles;
     scene.body.emplace();
@@ -90,7 +90,7 @@ TEST_CASE("a ball that flies into hanging cloth takes it along, at 1, 10 and 100
   sheet.positions.col(1).array() -= 0.15;
   const TriangleMesh ball = bodies::moved(bodies::sphere(0.08, 8), Vec3(0.0, 0.0, -0.09));
   // A flight of 0.25 m.
-  Trial trial(sheet, {ball, bodies::moved(ball, Vec3(0.0, 0.0, 0.25))}, anyMethod());
+  BodyTrial trial(sheet, {ball, bodies::moved(ball, Vec3(0.0, 0.0, 0.25))}, anyMethod());
   trial.scene.solver.steps_per_pose = 1;
   trial.scene.body->steps = std::max(1, static_cast<int>(0.25 / (speed * trial.scene.solver.time_step)));
   trial.run();
@@ -101,7 +101,7 @@ TEST_CASE("a ball that flies into hanging cloth takes it along, at 1, 10 and 100
 
 TEST_CASE("a limb a voxel thick keeps its sleeve") {
   const TriangleMesh limb = bodies::capsule(0.15, 0.005, 4);
-  Trial trial(makeCentredTube(12, 12, 0.012, 0.1), {limb, bodies::moved(limb, Vec3(0.1, 0.0, 0.0))}, anyMethod());
+  BodyTrial trial(makeCentredTube(12, 12, 0.012, 0.1), {limb, bodies::moved(limb, Vec3(0.1, 0.0, 0.0))}, anyMethod());
   trial.scene.solver.gravity.setZero();
   trial.run();
   CHECK(trial.deepestVertex() <= 1e-4);
@@ -112,7 +112,7 @@ TEST_CASE("a limb through a limb leaves the cloth finite, and is counted") {
   const TriangleMesh arm = bodies::capsule(0.15, 0.04, 6);
   const TriangleMesh apart = bodies::joined(arm, bodies::moved(arm, Vec3(0.2, 0.0, 0.0)));
   const TriangleMesh crossed = bodies::joined(arm, bodies::moved(arm, Vec3(0.03, 0.0, 0.0)));
-  Trial trial(makeCentredTube(20, 12, 0.05, 0.2), {apart, crossed, apart}, anyMethod());
+  BodyTrial trial(makeCentredTube(20, 12, 0.05, 0.2), {apart, crossed, apart}, anyMethod());
   trial.run();
   CHECK(trial.record.contact.held + trial.record.contact.limited > 0);
   CHECK(trial.state.velocities.rowwise().norm().maxCoeff() < 60.0);  // thrown out, as docs/limits.md says
@@ -127,7 +127,7 @@ TEST_CASE("cloth between two limbs that close on it stays between them") {
   sheet.positions.col(2) = sheet.positions.col(0).array() - 0.05;  // on the medial plane
   sheet.positions.col(1).array() -= 0.05;
   sheet.positions.col(0).setZero();
-  Trial trial(sheet, {pair(0.055), pair(0.0405)}, anyMethod());
+  BodyTrial trial(sheet, {pair(0.055), pair(0.0405)}, anyMethod());
   trial.scene.solver.gravity.setZero();
   trial.run();
   CHECK(trial.deepestVertex() <= 1e-4);
@@ -136,7 +136,7 @@ TEST_CASE("cloth between two limbs that close on it stays between them") {
 
 TEST_CASE("a pose that jumps beyond the level set's band is divided, and takes its sleeve along") {
   const TriangleMesh limb = bodies::capsule(0.15, 0.04, 6);
-  Trial trial(makeCentredTube(20, 8, 0.05, 0.1), {limb, bodies::moved(limb, Vec3(0.2, 0.0, 0.0))}, anyMethod());
+  BodyTrial trial(makeCentredTube(20, 8, 0.05, 0.1), {limb, bodies::moved(limb, Vec3(0.2, 0.0, 0.0))}, anyMethod());
   trial.scene.body->steps = 1;
   trial.scene.solver.steps_per_pose = 1;
   trial.run();
@@ -146,7 +146,7 @@ TEST_CASE("a pose that jumps beyond the level set's band is divided, and takes i
 
 TEST_CASE("a strip that hangs by its own weight beyond the limit stops growing, and is counted") {
   const TriangleMesh far_away = bodies::moved(bodies::sphere(0.05, 4), Vec3(5.0, 0.0, 0.0));
-  Trial trial(makeSheet(4, 12, 0.05, 0.3), {far_away, far_away}, anyMethod());
+  BodyTrial trial(makeSheet(4, 12, 0.05, 0.3), {far_away, far_away}, anyMethod());
   trial.scene.material.stretch_warp = trial.scene.material.stretch_weft =
       2.0;  // N/m: 0.15 kg/m^2 stretch it by a fifth
   trial.scene.material.shear = 1.0;
@@ -170,7 +170,7 @@ TEST_CASE(
   thick.positions.col(0) *= 1.25;
   thick.positions.col(2) *= 1.25;
   const std::string method = anyMethod();
-  Trial trial(makeCentredTube(12, 4, 0.046, 0.1), {thin, thick}, method);
+  BodyTrial trial(makeCentredTube(12, 4, 0.046, 0.1), {thin, thick}, method);
   trial.scene.solver.gravity.setZero();
   trial.input.pins = {{24, 30}};  // or the sleeve slips off
   trial.scene.garment.pins.emplace_back();

@@ -8,7 +8,7 @@ using namespace ease;
 
 TEST_CASE("a cone lies flat along a dart to its tip, and not without") {
   const TriangleMesh mesh = cone(24, 5, 0.5, 0.3, true);
-  const Part part{mesh, restGarment(mesh).rest_edges, {}, {}, {}};
+  const PieceMesh part{mesh, restGarment(mesh).rest_edges, {}, {}, {}};
   Seam dart{"", {}, false};
   for (int r = 4; r >= 0; --r) dart.vertices.push_back(1 + 24 * r);
   dart.vertices.push_back(0);
@@ -30,7 +30,7 @@ TEST_CASE("a part has its piece's triangles and knows its vertices in the garmen
   REQUIRE(pieces.count == 2);
   int triangles = 0;
   for (int p = 0; p < 2; ++p) {
-    const Part part = partOf(garment, pieces, p);
+    const PieceMesh part = partOf(garment, pieces, p);
     CHECK(part.mesh.positions.rows() == 15);
     CHECK(part.rest_edges.size() == static_cast<size_t>(part.mesh.triangles.rows()));
     triangles += static_cast<int>(part.mesh.triangles.rows());

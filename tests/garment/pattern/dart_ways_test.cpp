@@ -10,7 +10,7 @@ using namespace ease;
 namespace {
 
 /// A flat square of 8 x 8 cells of 5 cm; vertex 40 is its middle.
-Part square() {
+PieceMesh square() {
   const RestGarment sheet = restGarment(bentSheet(8, 0.4, [](double, double) { return 0.0; }));
   return {sheet.mesh, sheet.rest_edges, {}, sheet.mesh.positions, {}};
 }
@@ -18,7 +18,7 @@ Part square() {
 }  // namespace
 
 TEST_CASE("ways from the outline are as long as the edges to the nearest side") {
-  const Part part = square();
+  const PieceMesh part = square();
   const PartEdges edges(part);
   const Ways ways = edges.waysFrom(edges.isOutline(), edges.isOutline());
   CHECK(ways.length[40] == Approx(0.2));
@@ -30,7 +30,7 @@ TEST_CASE("ways from the outline are as long as the edges to the nearest side") 
 }
 
 TEST_CASE("the straight way stays nearer to the line between its ends than the shortest one along edges") {
-  Part part = square();
+  PieceMesh part = square();
   const PartEdges edges(part);
   std::vector<char> none(part.mesh.positions.rows(), 0), start = none;
   const int from = 3, to = 3 + 9 * 6 + 3;  // 6 cells up, 3 to the right
@@ -55,7 +55,7 @@ TEST_CASE("the straight way stays nearer to the line between its ends than the s
 }
 
 TEST_CASE("no way leads through blocked vertices") {
-  const Part part = square();
+  const PieceMesh part = square();
   const PartEdges edges(part);
   std::vector<char> blocked = edges.isOutline();
   for (const int v : {30, 31, 32, 39, 41, 48, 49, 50}) blocked[v] = 1;
@@ -63,7 +63,7 @@ TEST_CASE("no way leads through blocked vertices") {
 }
 
 TEST_CASE("tips are spread: the first furthest from the outline, none nearer to it than a dart is long") {
-  const Part part = square();
+  const PieceMesh part = square();
   const PartEdges edges(part);
   const Ways ways = edges.waysFrom(edges.isOutline(), edges.isOutline());
   const std::vector<int> tips = spreadTips(ways, part.x, 5);

@@ -6,26 +6,16 @@
 
 using namespace ease;
 
-namespace {
-
-Seam column(int n, int i) {
-  Seam seam{"column", {}, false};
-  for (int j = 0; j <= n; ++j) seam.vertices.push_back(j * (n + 1) + i);
-  return seam;
-}
-
-}  // namespace
-
 TEST_CASE("flat cloth needs no seam, but keeps those that were given") {
   const RestGarment garment =
-      restGarment(bentSheet(8, 1.0, [](double, double) { return 0.0; }), {column(8, 2), column(8, 5)});
+      restGarment(bentSheet(8, 1.0, [](double, double) { return 0.0; }), {columnSeam(8, 2), columnSeam(8, 5)});
   CHECK(neededSeams(garment, 0, {}, {}).empty());
   REQUIRE(neededSeams(garment, 1, {}, {}).size() == 1);
   CHECK(neededSeams(garment, 1, {}, {}).front().name == "column");
 }
 
 TEST_CASE("a piece wider than the cloth keeps its seam") {
-  const RestGarment garment = restGarment(bentSheet(8, 1.0, [](double, double) { return 0.0; }), {column(8, 4)});
+  const RestGarment garment = restGarment(bentSheet(8, 1.0, [](double, double) { return 0.0; }), {columnSeam(8, 4)});
   SewableSize narrow;
   narrow.widest = 0.8;
   CHECK(neededSeams(garment, 0, {}, narrow).size() == 1);
@@ -33,13 +23,13 @@ TEST_CASE("a piece wider than the cloth keeps its seam") {
 
 TEST_CASE("a strongly bent sheet keeps its seam") {
   const RestGarment garment =
-      restGarment(bentSheet(12, 0.5, [](double x, double y) { return 3.0 * (x * x + y * y); }), {column(12, 6)});
+      restGarment(bentSheet(12, 0.5, [](double x, double y) { return 3.0 * (x * x + y * y); }), {columnSeam(12, 6)});
   CHECK(neededSeams(garment, 0, {}, {}).size() == 1);
 }
 
 TEST_CASE("a strip too narrow to sew joins its neighbour where both keep the pattern's own limits") {
   const RestGarment garment =
-      restGarment(bentSheet(30, 0.6, [](double x, double y) { return 0.9 * (x * x + y * y); }), {column(30, 1)});
+      restGarment(bentSheet(30, 0.6, [](double x, double y) { return 0.9 * (x * x + y * y); }), {columnSeam(30, 1)});
   FlatSettings settings;
   settings.limits.shear = 1.0;
   settings.limits.thread = 1e-3;

@@ -7,18 +7,8 @@
 
 using namespace ease;
 
-namespace {
-
-Seam column(int n, int i) {
-  Seam seam{"column", {}, false};
-  for (int j = 0; j <= n; ++j) seam.vertices.push_back(j * (n + 1) + i);
-  return seam;
-}
-
-}  // namespace
-
 TEST_CASE("narrow and small pieces are told from others") {
-  const RestGarment garment = restGarment(bentSheet(50, 1.0, [](double, double) { return 0.0; }), {column(50, 1)});
+  const RestGarment garment = restGarment(bentSheet(50, 1.0, [](double, double) { return 0.0; }), {columnSeam(50, 1)});
   const Pieces pieces = cutIntoPieces(garment.mesh, garment.seams);
   REQUIRE(pieces.count == 2);
   CHECK(isTooSmall(garment, pieces, 0, {}) != isTooSmall(garment, pieces, 1, {}));

@@ -76,4 +76,11 @@ TriangleMesh bentSheet(int n, double size, const Height& height) {
   return mesh;
 }
 
+/// A seam along the vertices with x-index i of a bentSheet() of n by n edges.
+inline Seam columnSeam(int n, int i) {
+  Seam seam{"column", {}, false};
+  for (int j = 0; j <= n; ++j) seam.vertices.push_back(j * (n + 1) + i);
+  return seam;
+}
+
 }  // namespace ease
