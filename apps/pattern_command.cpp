@@ -113,6 +113,16 @@ void checkSameLimit(const nlohmann::json& report, const Scene& scene, const fs::
                   run.string(), inWords(of_run), inWords(limit)));
 }
 
+/// Throws where a plane of symmetry is given that misses the garment.
+void checkPlane(const Scene& scene, const SceneInput& input) {
+  const std::optional<double> plane = scene.pattern.cuts->settings.plane;
+  const auto x = input.garment.positions.col(0);
+  if (!plane || (*plane > x.minCoeff() && *plane < x.maxCoeff())) return;
+  throw InputError(fmt::format(
+      "{}: [pattern.cuts] symmetric = {:g}: the plane misses the garment: expected {:.3f} to {:.3f} m, or true",
+      scene.file.string(), *plane, x.minCoeff(), x.maxCoeff()));
+}
+
 /// Throws InputError where the garment as it is before the run cannot be cut along its seams, or has a piece that is
 /// too wide for the cloth: pieces are let out, hardly ever taken in.
 void checkPieces(const Scene& scene, const SceneInput& input, FlatSettings settings) {
@@ -171,6 +181,7 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
           fmt::format("{}: [garment] has no [[garment.seam]] and [pattern.cuts] method = 'none': expected seams, along "
                       "which a pattern is cut, or method = 'variational'",
                       scene.file.string()));
+    if (finds_cuts && scene.pattern.cuts) checkPlane(scene, input);
     const FlatSettings settings = flatSettings(scene);
     const ResultDirectory results(directory);
     bool doubtful = false;

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kLowestPerson = 0.4;        // m: a newborn, curled up
 constexpr double kTallestPerson = 2.6;       // m: arms raised
+constexpr double kMaxSizeRatio = 2.0;        // of a pose's lengths to the first pose's
 constexpr double kHoleReach = 0.05;          // m: holes nearer to the garment than this are refused
 constexpr double kSamePlace = 1e-4;          // m
 constexpr double kFarthestFromOrigin = 1e7;  // m: beyond, whole voxels get lost in the numbers of a level set
@@ -188,6 +189,22 @@ void checkPlace(const Warn& warn, const Files& files) {
   }
 }
 
+/// Throws where a pose is much larger or smaller than the first, judged by the area of its surface, which hardly
+/// changes with the posture.
+void checkSameSize(const Files& files) {
+  const auto length = [&](size_t p) { return std::sqrt(totalArea({files.poses[p], files.triangles})); };
+  const double first = length(0);
+  for (size_t p = 1; p < files.poses.size(); ++p) {
+    const double ratio = length(p) / first;
+    if (ratio < kMaxSizeRatio && ratio > 1.0 / kMaxSizeRatio) continue;
+    throw InputError(
+        fmt::format("{}: {:.3g} times as large as the first pose, '{}': poses of one person have one size; [body] unit "
+                    "holds for all "
+                    "files: convert this one",
+                    files.names[p], ratio, files.names.front()));
+  }
+}
+
 void alignPoses(const Scene& scene, const Warn& warn, SceneInput& input) {
   const BodyScene& body = *scene.body;
   if (body.align == false) return;
@@ -224,6 +241,7 @@ void readFilePoses(const Scene& scene, const Positions* garment, const Warn& war
   checkPlace(warn, files);
   weldPoses(scene, warn, files);
   for (size_t p = 0; p < files.poses.size(); ++p) checkGeometry({files.poses[p], files.triangles}, files.names[p]);
+  checkSameSize(files);
   closeHoles(scene, garment, warn, files);
   faceOutwards(warn, files);
   for (size_t p = 0; p < scene.body->poses.size(); ++p) {

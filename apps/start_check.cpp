@@ -146,6 +146,18 @@ void refuseLargeTriangles(const std::string& name, const TriangleTree& body, con
       at.y(), at.z(), edges[worst], thickness[worst], thickness[worst]));
 }
 
+/// Warns of holes that a single triangle would close.
+void warnOfMissingTriangles(const std::string& name, const Warn& warn, const SceneInput& input) {
+  int holes = 0, vertex = 0;
+  for (const std::vector<int>& loop : buildTopology(input.garment, name).boundary_loops)
+    if (loop.size() == 3 && holes++ == 0) vertex = loop.front();
+  if (holes == 0) return;
+  const Vec3 at = input.garment.positions.row(vertex);
+  warn(fmt::format("{}: {} of three edges, {} at vertex {}, ({:.3f}, {:.3f}, {:.3f}) m: is a triangle missing?", name,
+                   counted(holes, "hole"), holes == 1 ? "it lies" : "the first lies", fileVertex(input, vertex), at.x(),
+                   at.y(), at.z()));
+}
+
 }  // namespace
 
 void checkStart(const std::string& name, const Warn& warn, SceneInput& input) {
@@ -170,6 +182,7 @@ void checkStart(const std::string& name, const Warn& warn, SceneInput& input) {
   refuseBody(name, input, body, parts, distances);
   moveOut(name, warn, body, distances, input);
   refuseLargeTriangles(name, body, input);
+  warnOfMissingTriangles(name, warn, input);
   const double offset = *std::max_element(input.offsets.begin(), input.offsets.end());
   for (size_t p = 0; p < parts.vertices.size(); ++p) {
     double near = kFarthestGarment;

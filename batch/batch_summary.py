@@ -32,11 +32,12 @@ def summarise(plan, folder):
 def row_of(entry, folder):
     """One row, by the names in COLUMNS; cells that nothing is known of are empty."""
     results = folder / entry["person"] / entry["garment"]
+    inputs = [results.with_name(results.name + ".toml"), *map(pathlib.Path, entry["files"])]
     row = dict.fromkeys(COLUMNS, "") | {"person": entry["person"], "garment": entry["garment"]}
-    run = outcome(results, "run")
+    run = outcome(results, "run", inputs)
     if run is None:
         log = results.with_name(results.name + ".log")
-        return row | {"result": "not finished", "why": shorten(why_stopped(log), results)}
+        return row | {"result": "not finished", "why": shorten(why_stopped(log, inputs), results)}
     row |= {"run_s": f"{run['wall_s']:.1f}", "why": shorten(run["reason"], results)}
     if run["exit_code"] not in (0, 3):
         return row | {"result": "failed"}
@@ -44,10 +45,11 @@ def row_of(entry, folder):
     row |= figures(report, doubtful=run["exit_code"] == 3)
     warnings = [shorten(text, results) for text in report.get("warnings", [])]
     if entry["pattern"]:
-        pattern = outcome(results, "pattern")
+        inputs.append(results.with_name(results.name + ".run.json"))
+        pattern = outcome(results, "pattern", inputs)
         if pattern is None:
             log = results.with_name(results.name + ".pattern.log")
-            row |= {"result": "not finished", "why": "pattern: " + shorten(why_stopped(log), results)}
+            row |= {"result": "not finished", "why": "pattern: " + shorten(why_stopped(log, inputs), results)}
         elif pattern["exit_code"] == 0:
             made = report.get("pattern", {})
             row |= {"pattern_s": f"{pattern['wall_s']:.1f}", "pieces": str(len(made.get("pieces", [])))}
@@ -68,7 +70,10 @@ def figures(report, doubtful):
         result = "not verified" if "limit" in sigma else "simulated"
     else:
         result = FITS if after["share_over_limit"] <= target else "too tight"
+    why = report["adaption"].get("reason", "") if result == "too tight" else ""
     row = {"result": result, "stretch_before": number(before.get("max")), "stretch_after": number(after["max"])}
+    if why:
+        row["why"] = why
     if "limit" in sigma:
         row |= {"stretch_limit": number(sigma["limit"]),
                 "over_limit_before_percent": number(before.get("share_over_limit"), 100.0, 2),
@@ -82,19 +87,27 @@ def number(value, factor=1.0, digits=3):
     return "" if value is None else f"{factor * value:.{digits}f}"
 
 
-def outcome(results, command):
-    """What ease_job.py kept of a command; None where it has not ended."""
+def outcome(results, command, inputs):
+    """What ease_job.py kept of a command; None where it has not ended since its inputs were written last."""
     file = results.with_name(f"{results.name}.{command}.json")
-    return read_json(file) if file.is_file() else None
+    return read_json(file) if is_newer(file, inputs) else None
+
+
+def is_newer(file, inputs):
+    """Whether a file is there, and no input was written after it."""
+    if not file.is_file():
+        return False
+    written = file.stat().st_mtime_ns
+    return all(not other.exists() or other.stat().st_mtime_ns <= written for other in inputs)
 
 
 def read_json(file):
     return json.loads(file.read_text(encoding="utf-8"))
 
 
-def why_stopped(log):
+def why_stopped(log, inputs):
     """The last words of a job that left no outcome."""
-    if not log.is_file():
+    if not is_newer(log, inputs):
         return "not begun"
     return last_words(log) or "stopped before its first word"
 

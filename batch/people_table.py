@@ -17,6 +17,7 @@ from scene_template import TemplateError
 
 PATHS = ("folder", "poses", "mesh")  # columns whose cells are paths
 OURS = ("person", "scene", "garment", "pattern")
+RESERVED = ("plan.json", "summary.csv", "summary.html")  # beside the folders of the people
 PLAIN = re.compile(r"\w[\w.-]*")  # what may name a folder: letters of any language, digits, - _ .
 
 
@@ -124,6 +125,8 @@ def rows_of(path, number, values):
         for column, word in (("person", values["person"]), ("garment", garment)):
             if not PLAIN.fullmatch(word):
                 refuse(column, f"'{word}': names a folder: expected letters, digits, - _ . only")
+        if values["person"] in RESERVED:
+            refuse("person", f"'{values['person']}': the batch writes a file of this name: choose another")
         filled = {**values, "garment": garment}
         try:
             text = scene_template.read_template(template)

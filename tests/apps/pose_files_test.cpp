@@ -122,11 +122,15 @@ TEST_CASE("a body that moves faster than people do is told") {
   CHECK_THAT(files.read("", "seconds_per_pose = 0.005\n").warnings.at(0), Contains("the surface moves at 9.9 m/s"));
 }
 
-TEST_CASE("a pose of other size than a person's is warned of") {
+TEST_CASE("poses of other size than a person's are warned of, and one of other size than the first is refused") {
   const Files files;
-  files.write("second.obj", box(0.2, 0.0, 170.0, true));
+  for (const char* pose : {"first.obj", "second.obj"}) files.write(pose, box(0.2, 0.0, 4.0, true));
   const SceneInput input = files.read();
-  CHECK_THAT(input.warnings.at(0), Contains("second.obj: 170 m tall") && Contains("units?"));
+  CHECK_THAT(input.warnings.at(0), Contains("first.obj: 4 m tall") && Contains("units?"));
+  TriangleMesh inches = box(0.2, 0.0, 4.0, true);
+  inches.positions /= 0.0254;
+  files.write("second.obj", inches);
+  CHECK_THAT(files.errorOf(), Contains("second.obj: 39.4 times as large as the first pose") && Contains("[body] unit"));
 }
 
 TEST_CASE("poses numbered differently are refused, or matched by their triangles") {

@@ -1,6 +1,7 @@
 #include "apps/start_check.h"
 
 #include "tests/apps/scene_files.h"
+#include "tests/tube.h"
 
 using namespace ease;
 using Catch::Contains;
@@ -55,4 +56,21 @@ TEST_CASE("a garment far from the body is refused with the distance") {
   const Files files;
   files.write("tube.obj", box(0.3, 3.7, 4.0, false));
   CHECK_THAT(files.errorOf(), Contains("tube.obj: at least 2 m away from the first pose, 'first'"));
+}
+
+TEST_CASE("a triangle that is missing is warned of with its place") {
+  const Files files;
+  TriangleMesh ring = tube(16, 8, 2.0);
+  ring.positions *= 0.29;
+  ring.positions.col(1).array() += 0.8;
+  files.write("tube.obj", ring);
+  const size_t whole = files.read().warnings.size();
+  Triangles others(ring.triangles.rows() - 1, 3);
+  others << ring.triangles.topRows(100), ring.triangles.bottomRows(ring.triangles.rows() - 101);
+  ring.triangles = others;
+  files.write("tube.obj", ring);
+  const SceneInput input = files.read();
+  REQUIRE(input.warnings.size() == whole + 1);
+  CHECK_THAT(input.warnings.back(),
+             Contains("tube.obj: 1 hole of three edges, it lies at vertex ") && Contains("is a triangle missing?"));
 }

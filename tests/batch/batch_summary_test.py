@@ -1,6 +1,8 @@
 """Tests of batch/batch_summary.py."""
 
 import csv
+import os
+import time
 import unittest
 
 from batch_case import BatchCase
@@ -26,7 +28,7 @@ class BatchSummary(BatchCase):
             self.write("anna/shirt.pattern.json", {"exit_code": pattern, "reason": "no seam", "wall_s": 2.0})
         if log is not None:
             self.write("anna/shirt.log", log)
-        summarise([{"person": "anna", "garment": "shirt", "pattern": wants_pattern}], self.folder)
+        summarise([{"person": "anna", "garment": "shirt", "pattern": wants_pattern, "files": []}], self.folder)
         with open(self.folder / "summary.csv", encoding="utf-8", newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual((len(rows), tuple(rows[0])), (1, COLUMNS))
@@ -43,12 +45,24 @@ class BatchSummary(BatchCase):
 
     def test_a_garment_over_the_target_is_too_tight(self):
         sigma = REPORT["sigma_1"] | {"after": {"max": 1.2, "share_over_limit": 0.002}}
-        self.assertEqual(self.row(REPORT | {"sigma_1": sigma}, run=0)[0]["result"], "too tight")
+        adaption = {"target": 0.001, "reason": "all 2 passes were made"}
+        row, _ = self.row(REPORT | {"sigma_1": sigma, "adaption": adaption}, run=0)
+        self.assertEqual((row["result"], row["why"]), ("too tight", "all 2 passes were made"))
 
     def test_a_run_without_a_limit_is_simulated(self):
         report = {"sigma_1": {"run": {"max": 1.3}}, "rest_growth": {"max": 1.0, "area_ratio": 1.0}}
         row, _ = self.row(report, run=0)
         self.assertEqual((row["result"], row["stretch_after"], row["stretch_limit"]), ("simulated", "1.300", ""))
+
+    def test_what_was_computed_before_an_input_changed_is_not_finished(self):
+        self.row(run=0, pattern=0, wants_pattern=True, log="ease: error: earlier\n")
+        late = time.time() + 5.0
+        os.utime(self.folder / "anna/shirt.run.json", (late, late))  # run again, but no pattern since
+        row, _ = self.row(wants_pattern=True)
+        self.assertEqual((row["result"], row["why"], row["pieces"]), ("not finished", "pattern: not begun", ""))
+        os.utime(self.write("anna/shirt.toml", ""), (late + 5.0, late + 5.0))
+        row, _ = self.row(wants_pattern=True)
+        self.assertEqual((row["result"], row["why"], row["stretch_after"]), ("not finished", "not begun", ""))
 
     def test_a_failed_row_says_why(self):
         row, page = self.row(run=1)
