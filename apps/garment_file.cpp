@@ -34,8 +34,7 @@ std::string readGarmentFile(const Scene& scene, const Warn& warn, SceneInput& in
         fmt::format("{}: {} lay at the place of another one along open edges and were welded to it ([garment] weld = "
                     "false keeps them apart)",
                     name, counted(weld.welded, "vertex")));
-  if (weld.unused > 0)
-    warn(fmt::format("{}: {} belong to no triangle and are left out", name, counted(weld.unused, "vertex")));
+  if (weld.unused > 0) warn(fmt::format("{}: left out {} that no triangle uses", name, counted(weld.unused, "vertex")));
   input.as_read = GarmentAsRead{{std::move(polygons.points), triangles}, weld.vertex};
   return name;
 }

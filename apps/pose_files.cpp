@@ -85,8 +85,7 @@ void weldPoses(const Scene& scene, const Warn& warn, Files& files) {
         "keeps them apart)",
         files.names.front(), counted(weld.welded, "vertex")));
   if (weld.unused > 0)
-    warn(fmt::format("{}: {} belong to no triangle and are left out", files.names.front(),
-                     counted(weld.unused, "vertex")));
+    warn(fmt::format("{}: left out {} that no triangle uses", files.names.front(), counted(weld.unused, "vertex")));
   files.triangles = welded(files.triangles, weld);
   for (Positions& pose : files.poses) pose = welded(pose, weld);
 }
@@ -183,8 +182,10 @@ void checkPlace(const Warn& warn, const Files& files) {
     const bool is_limb = size.maxCoeff() < kTallestPerson && size.maxCoeff() > 0.1 && size.y() > 0.5 * size.maxCoeff();
     if (is_person || is_limb) continue;
     const std::string advice = frameAdvice(size);
-    warn(fmt::format("{}: {:.4g} m tall along y: a person is not; units? metres expected, y up{}", files.names[p],
-                     size.y(), advice.empty() ? "" : "; [body] " + advice));
+    const double width = std::max(size.x(), size.z());
+    const std::string wide = width > size.y() ? fmt::format(" and {:.4g} m wide", width) : "";
+    warn(fmt::format("{}: {:.4g} m tall along y{}: a person is not; units? metres expected, y up{}", files.names[p],
+                     size.y(), wide, advice.empty() ? "" : "; [body] " + advice));
     return;  // the others are told by the first
   }
 }

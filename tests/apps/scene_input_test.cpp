@@ -64,7 +64,7 @@ TEST_CASE("a vertex without a triangle is left out and told") {
   files.write("tube.obj", loose);
   const SceneInput input = files.read();
   CHECK(input.garment.positions == kTube.positions);
-  CHECK_THAT(input.warnings.at(0), Contains("tube.obj: 1 vertex belong to no triangle and are left out"));
+  CHECK_THAT(input.warnings.at(0), Contains("tube.obj: left out 1 vertex that no triangle uses"));
 }
 
 TEST_CASE("a grain square to all of a garment is refused with one that would do") {
