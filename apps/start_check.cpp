@@ -49,12 +49,12 @@ std::vector<char> atBodyVertices(const Positions& x, const SceneInput& input, co
 }
 
 /// Throws where a part of the garment is the wearer: closed, or most of the body, with its vertices or its surface.
-void refuseBody(const std::string& name, const SceneInput& input, const TriangleTree& body, const GarmentParts& parts,
-                const std::vector<double>& distances) {
+void refuseBody(const std::string& name, const SceneInput& input, const Topology& topology, const TriangleTree& body,
+                const GarmentParts& parts, const std::vector<double>& distances) {
   const Positions& x = input.garment.positions;
   const std::vector<char> same = atBodyVertices(x, input, body);
   std::vector<char> open(parts.vertices.size(), 0);
-  for (const Edge& edge : buildTopology(input.garment, name).edges)
+  for (const Edge& edge : topology.edges)
     if (edge.isBoundary()) open[parts.of_vertex[edge.vertex[0]]] = 1;
   for (size_t p = 0; p < parts.vertices.size(); ++p) {
     double away = 0.0;
@@ -147,9 +147,10 @@ void refuseLargeTriangles(const std::string& name, const TriangleTree& body, con
 }
 
 /// Warns of holes that a single triangle would close.
-void warnOfMissingTriangles(const std::string& name, const Warn& warn, const SceneInput& input) {
+void warnOfMissingTriangles(const std::string& name, const Warn& warn, const SceneInput& input,
+                            const Topology& topology) {
   int holes = 0, vertex = 0;
-  for (const std::vector<int>& loop : buildTopology(input.garment, name).boundary_loops)
+  for (const std::vector<int>& loop : topology.boundary_loops)
     if (loop.size() == 3 && holes++ == 0) vertex = loop.front();
   if (holes == 0) return;
   const Vec3 at = input.garment.positions.row(vertex);
@@ -179,10 +180,11 @@ void checkStart(const std::string& name, const Warn& warn, SceneInput& input) {
                     name, away, pose, kFarthestGarment));
   }
   const GarmentParts parts = partsOf(input.garment);
-  refuseBody(name, input, body, parts, distances);
+  const Topology topology = buildTopology(input.garment, name);
+  refuseBody(name, input, topology, body, parts, distances);
   moveOut(name, warn, body, distances, input);
   refuseLargeTriangles(name, body, input);
-  warnOfMissingTriangles(name, warn, input);
+  warnOfMissingTriangles(name, warn, input, topology);
   const double offset = *std::max_element(input.offsets.begin(), input.offsets.end());
   for (size_t p = 0; p < parts.vertices.size(); ++p) {
     double near = kFarthestGarment;

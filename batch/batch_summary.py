@@ -70,10 +70,9 @@ def figures(report, doubtful):
         result = "not verified" if "limit" in sigma else "simulated"
     else:
         result = FITS if after["share_over_limit"] <= target else "too tight"
-    why = report["adaption"].get("reason", "") if result == "too tight" else ""
     row = {"result": result, "stretch_before": number(before.get("max")), "stretch_after": number(after["max"])}
-    if why:
-        row["why"] = why
+    if result == "too tight":
+        row["why"] = report["adaption"].get("reason", "")
     if "limit" in sigma:
         row |= {"stretch_limit": number(sigma["limit"]),
                 "over_limit_before_percent": number(before.get("share_over_limit"), 100.0, 2),

@@ -38,8 +38,7 @@ void tryDamages(benchmark::State& state, const FuzzKind& kind, unsigned inputs) 
     for (unsigned seed = 1; seed <= inputs; ++seed) {
       const FuzzOutcome outcome = fuzz.attempt(seed);
       ++ends[outcome.end];
-      if (outcome.isFault() || outcome.end == End::silent)
-        fmt::print(stderr, "{}, seed {}: {}\n", kind.name, seed, outcome.text);
+      if (outcome.isFault()) fmt::print(stderr, "{}, seed {}: {}\n", kind.name, seed, outcome.text);
     }
     state.counters["tried"] = static_cast<int>(inputs) - ends[End::not_tried];
     state.counters["done"] = ends[End::done];

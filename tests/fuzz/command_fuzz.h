@@ -36,7 +36,7 @@ struct FuzzOutcome {
   End end;
   std::string text;  // what the command printed on stderr, or what is wrong with its end
 
-  bool isFault() const { return end == End::crash || end == End::hang || end == End::unclear; }
+  bool isFault() const { return end == End::crash || end == End::hang || end == End::unclear || end == End::silent; }
 };
 
 class CommandFuzz {
