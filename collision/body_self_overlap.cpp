@@ -156,13 +156,16 @@ bool isFolded(const TriangleTree::Data& tree, int v) {
 
 }  // namespace
 
-void BodySelfOverlap::find(const TriangleTree& tree, std::span<const unsigned char> asked) {
+void BodySelfOverlap::find(const TriangleTree& tree, std::span<const unsigned char> asked,
+                           std::span<const Exposure> known) {
   const TriangleTree::Data& data = tree.data();
   exposures_.assign(data.triangles.rows(), Exposure::unknown);
+  std::copy(known.begin(), known.end(), exposures_.begin());
   leaf_in_region_.resize(data.leaves.size());
   parallelFor(static_cast<int>(data.leaves.size()), 1024, [&](int l) {
     const TreeLeaf& leaf = data.leaves[l];
-    leaf_in_region_[l] = std::any_of(leaf.triangle.begin(), leaf.triangle.end(), [&](int t) { return asked[t] != 0; });
+    leaf_in_region_[l] = std::any_of(leaf.triangle.begin(), leaf.triangle.end(),
+                                     [&](int t) { return asked[t] != 0 && exposures_[t] == Exposure::unknown; });
     if (!leaf_in_region_[l]) return;
     for (int t : leaf.triangle) exposures_[t] = Exposure::boundary;
   });

@@ -22,8 +22,9 @@ namespace ease {
 
 class BodySelfOverlap {
  public:
-  /// Classifies the triangles t for which asked[t] is not zero.
-  void find(const TriangleTree& tree, std::span<const unsigned char> asked);
+  /// Classifies the triangles t for which asked[t] is not zero.  `known`: exposures found before in the same pose, one
+  /// a triangle, which are taken over; empty: none.
+  void find(const TriangleTree& tree, std::span<const unsigned char> asked, std::span<const Exposure> known = {});
 
   /// One entry a triangle; `unknown` if it was not classified.
   std::span<const Exposure> exposures() const { return exposures_; }

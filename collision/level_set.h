@@ -27,6 +27,8 @@ struct LevelSetSample {
   int triangle;  // of the body, nearest to the voxel corner that is nearest to the sample; -1 beyond the band
 };
 
+struct KnownCorners;  // known_corners.h
+
 class LevelSet {
  public:
   /// Throws InputError naming the option that is out of range and its value.
@@ -36,9 +38,13 @@ class LevelSet {
   LevelSet& operator=(LevelSet&&) noexcept;
 
   /// Computes distances to `body` at the corners of all voxels within `margin` (m) of the points.  Replaces all earlier
-  /// content.  The tree must not change for as long as this level set is sampled.  Throws ComputationError if a point
-  /// is not finite.
+  /// content.  The tree must not change for as long as this level set is sampled.  `known`: corners that a level set of
+  /// the same body in the same pose has filled; they are taken over.  Throws ComputationError if a point is not finite.
+  void build(const TriangleTree& body, std::span<const Vec3> points, double margin, const KnownCorners& known);
   void build(const TriangleTree& body, std::span<const Vec3> points, double margin);
+
+  /// All corners that have been filled, to be taken over by another level set of this pose.
+  KnownCorners known() const;
 
   /// Samples the points in parallel.  Corners that build() did not foresee are filled first, with the values that
   /// build() would have given them.  Must not be called by two threads at once, nor before build().  Throws

@@ -16,6 +16,7 @@ int nearestPose(double s) {
   return static_cast<int>(std::lround(s));
 }
 
+constexpr size_t kMaxKnownBytes = 400'000'000;
 constexpr double kMarginVoxels = 0.4;  // how far samples move away from the points a level set was prepared around
 
 }  // namespace
@@ -33,6 +34,7 @@ MovingBody::MovingBody(const Triangles& triangles, const std::vector<Positions>&
     interpolations_.emplace_back(triangles, poses[p], poses[p + 1], ordering);
   }
   for (int i = 0; i < 2; ++i) prepared_.push_back({TriangleTree(first_, triangles_), LevelSet(options)});
+  known_.resize(motionSteps() + 1);
 }
 
 int MovingBody::folded(int k) const {
@@ -69,9 +71,22 @@ void MovingBody::prepare(int k, std::span<const Vec3> points) {
   start = std::chrono::steady_clock::now();
   Prepared& prepared = prepared_[k % 2];
   voxels_on_demand_ += prepared.level_set.filledOnDemand();
+  remember(prepared);
+  prepared.k = folded(k);
   prepared.tree.refit(pose(k));
-  prepared.level_set.build(prepared.tree, points, margin_);
+  prepared.level_set.build(prepared.tree, points, margin_, known_[prepared.k]);
   times_.level_set_s += secondsSince(start);
+}
+
+void MovingBody::remember(const Prepared& prepared) {
+  if (prepared.k < 0 || motionSteps() == 0) return;
+  KnownCorners& known = known_[prepared.k];
+  if (prepared.level_set.filledVoxels() == std::ssize(known.values)) return;
+  KnownCorners grown = prepared.level_set.known();
+  const size_t bytes = known_bytes_ - known.memoryBytes() + grown.memoryBytes();
+  if (bytes > kMaxKnownBytes) return;
+  known_bytes_ = bytes;
+  known = std::move(grown);
 }
 
 BodyMoment MovingBody::motionAt(double s) const {

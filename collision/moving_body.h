@@ -5,6 +5,9 @@
 //   k     number of an interpolated pose, at s = k
 //   L_k   level set of interpolated pose k; serves all s whose nearest whole number is k
 //
+// A pose that returns, in another pass or as the motion runs back, gets what its level set knew the last time, up to
+// kMaxKnownBytes for all poses.  That changes no distance: each is a function of the pose and the corner alone.
+//
 // prepare(k + 1) writes nothing that a user of L_k reads, so that both may run at the same time.
 #pragma once
 
@@ -14,6 +17,7 @@
 
 #include "collision/body/pose_interpolation.h"
 #include "collision/contacts.h"
+#include "collision/known_corners.h"
 
 namespace ease {
 
@@ -62,7 +66,10 @@ class MovingBody {
   struct Prepared {
     TriangleTree tree;
     LevelSet level_set;
+    int k = -1;  // folded; -1: not prepared yet
   };
+  /// Remembers the corners of a level set that is going to be replaced.
+  void remember(const Prepared& prepared);
 
   Triangles triangles_;
   int steps_;
@@ -70,8 +77,10 @@ class MovingBody {
   double band_;    // m
   Positions first_;
   std::vector<PoseInterpolation> interpolations_;
-  std::array<Slot, 4> poses_;       // pose k in slot k mod 4
-  std::vector<Prepared> prepared_;  // L_k in place k mod 2
+  std::array<Slot, 4> poses_;        // pose k in slot k mod 4
+  std::vector<Prepared> prepared_;   // L_k in place k mod 2
+  std::vector<KnownCorners> known_;  // by folded pose
+  size_t known_bytes_ = 0;
   Times times_;
   long voxels_on_demand_ = 0;  // of level sets that have been replaced
 };
