@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kDisturbance = 1e-5;  // m: of the start of the check
 constexpr int kPassesWithoutGain = 3;  // after that many the fit ends
+constexpr double kFar = 0.01;          // share over the limit above which the pass after it need not be accurate
+constexpr double kCoarser = 2.0;       // its tolerance over the one that was asked for
 
 double areaOf(const Cloth& cloth) {
   return std::accumulate(cloth.restAreas().begin(), cloth.restAreas().end(), 0.0);
@@ -62,7 +64,9 @@ void Fit::pass(const FitWatch& watch) {
   RunWatch run_watch = watch.of_pass ? watch.of_pass(passCount() + 1) : RunWatch();
   run_watch.interrupted = watch.interrupted;
   run_watch.on_stretch = [&](const std::vector<Stretch>& stretch) { demand_.add(cloth_, stretch); };
-  Run run(settings_, input_, cloth_);
+  RunSettings settings = settings_;
+  if (passCount() == 0 || share(passCount() - 1) > kFar) settings.method.tolerance *= kCoarser;
+  Run run(settings, input_, cloth_);
   run.run(run_watch);
   if (isInterrupted(watch)) return;
   FitPass done{run.record(), areaOf(cloth_) / first_area_};

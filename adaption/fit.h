@@ -2,7 +2,8 @@
 //
 //   pass 1       carries the cloth once through the motion on its first rest shape
 //   let out      the rest shape grows as all moments of the pass ask for (growth_demand.h)
-//   pass 2 ...   the same again, until the share of triangles over the limit is at most the target, or no longer falls
+//   pass 2 ...   the same again, until the share of triangles over the limit is at most the target, or no longer falls;
+//                steps are solved to twice the tolerance as long as the share before was above 1 %
 //   embedding    a surface in space with the lengths of the chosen metric (rest_metric.h)
 //   check        a last pass on the rest shape chosen, from a start that is disturbed by a hundredth of a millimetre
 //

@@ -43,8 +43,9 @@ Vector3d toOklab(const Rgb& color) {
 }
 
 Rgb fromOklab(const Vector3d& lab) {
-  const Vector3d cones = (kToLab.inverse() * lab).array().cube();
-  const Vector3d linear = kToCones.inverse() * cones;
+  static const Matrix3d kFromLab = kToLab.inverse(), kFromCones = kToCones.inverse();
+  const Vector3d cones = (kFromLab * lab).array().cube();
+  const Vector3d linear = kFromCones * cones;
   Rgb color;
   for (int i = 0; i < 3; ++i) {
     color[i] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(fromLinear(linear[i]), 0.0, 1.0)));
@@ -52,12 +53,18 @@ Rgb fromOklab(const Vector3d& lab) {
   return color;
 }
 
-/// Interpolates the colours piecewise linearly in Oklab; `where` is 0 at the first colour and 1 at the last.
-Rgb interpolate(const std::vector<Rgb>& colors, double where) {
+std::vector<Vector3d> inOklab(const std::vector<Rgb>& colors) {
+  std::vector<Vector3d> lab;
+  for (const Rgb& color : colors) lab.push_back(toOklab(color));
+  return lab;
+}
+
+/// Interpolates colours in Oklab piecewise linearly; `where` is 0 at the first colour and 1 at the last.
+Rgb interpolate(const std::vector<Vector3d>& colors, double where) {
   const double scaled = where * static_cast<double>(colors.size() - 1);
   const std::size_t first = std::min(static_cast<std::size_t>(scaled), colors.size() - 2);
   const double t = scaled - static_cast<double>(first);
-  return fromOklab((1 - t) * toOklab(colors[first]) + t * toOklab(colors[first + 1]));
+  return fromOklab((1 - t) * colors[first] + t * colors[first + 1]);
 }
 
 double fraction(double value, double from, double to) {
@@ -67,9 +74,10 @@ double fraction(double value, double from, double to) {
 }  // namespace
 
 Rgb ColorScale::color(double value) const {
+  static const std::vector<Vector3d> below = inOklab(kBelow), over = inOklab(kOver);
   if (std::isnan(value)) return kNotANumber;
-  if (isOver(value)) return interpolate(kOver, fraction(value, limit_, high_));
-  return interpolate(kBelow, fraction(value, low_, limit_));
+  if (isOver(value)) return interpolate(over, fraction(value, limit_, high_));
+  return interpolate(below, fraction(value, low_, limit_));
 }
 
 double lightness(const Rgb& color) {

@@ -195,6 +195,7 @@ LiveView::LiveView(Renderer kind) : parts_(std::make_unique<Parts>(kind)) {
   window->OpenGLInitContext();
   vtkRenderer* renderer = parts_->renderer;
   renderer->SetBackground(0.97, 0.97, 0.96);
+  parts_->body.actor->GetProperty()->BackfaceCullingOn();  // a body is closed: nobody sees its inside
   renderer->AddActor(parts_->body.actor);
   renderer->AddActor(parts_->garment.actor);
   addLights(renderer);

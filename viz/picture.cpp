@@ -76,6 +76,7 @@ vtkSmartPointer<vtkActor> garmentActor(const StretchView& view, const ColorScale
 vtkSmartPointer<vtkActor> bodyActor(const TriangleMesh& body) {
   auto actor = makeActor(body, nullptr);
   actor->GetProperty()->SetColor(0.78, 0.78, 0.78);
+  actor->GetProperty()->BackfaceCullingOn();  // a body is closed: nobody sees its inside
   return actor;
 }
 
