@@ -11,10 +11,11 @@
 //   factor3    Cholesky factorisation of Newton's system, 3n x 3n
 //   solve3     solve with this factor, 1 right-hand side
 //   level-set  level set of a pose around a garment of n vertices: a sleeve 5 mm away from a limb of 36,000 triangles
+//   contacts   contact planes of that sleeve's samples, looked up in the level set
 //
-// bound_ms is the lower bound.  For local, product and solves: memory that must be read / measured bandwidth.  The
-// memory is that of triangles, matrices and factors; vectors, a twentieth of it, are assumed to stay in a cache.  The
-// bandwidth is measured with all threads by reading as much memory repeatedly, so that caches have the same effect.
+// bound_ms is the lower bound.  For local, product, contacts and solves: memory that must be read / measured bandwidth.
+// The memory is that of triangles, matrices and factors; vectors, a twentieth of it, are assumed to stay in a cache.
+// The bandwidth is measured with all threads by reading as much memory repeatedly, so that caches have the same effect.
 // For factors: floating-point operations / measured peak of one thread, since CHOLMOD uses one thread.
 //
 // The cloth is the hanging sheet of sheets.h with k = 500 N/m and h = 1/60 s.
@@ -36,8 +37,11 @@ using namespace ease;
 namespace {
 
 constexpr double kPerTriangle = 220.0;  // bytes: corners, D^-1, conditions; forces at the corners written and read
+constexpr double kPerHinge = 168.0;     // bytes: corners, stencils, stiffness, damper; vectors written and read
 constexpr double kPerBending = 12.0;    // bytes per entry of the bending matrix, which has 19 per vertex
 constexpr double kPerBlock = 76.0;      // bytes of a 3 x 3 block and its column index
+constexpr double kPerSample = 152.0;    // bytes: position read; position, look-up and plane written
+constexpr double kPerVoxel = 20.0;      // bytes of a filled corner
 
 struct Scene {
   std::unique_ptr<Sheet> sheet;
@@ -76,7 +80,8 @@ void bound(benchmark::State& state, double seconds) {
 void measureLocal(benchmark::State& state, int side) {
   Scene& scene = sceneOf(side);
   for (auto _ : state) scene.point.evaluate(scene.potential, scene.fixed);
-  const double bytes = kPerTriangle * scene.sheet->cloth.triangleCount() + scene.bendingBytes();
+  const Cloth& cloth = scene.sheet->cloth;
+  const double bytes = kPerTriangle * cloth.triangleCount() + kPerHinge * static_cast<double>(cloth.hinges().size());
   bound(state, bytes / readBandwidth(static_cast<size_t>(bytes)));
   state.counters["triangles"] = scene.sheet->cloth.triangleCount();
 }
@@ -188,24 +193,51 @@ void measureSolve(benchmark::State& state, int side, int rows) {
   state.counters["factor_MB"] = 1e-6 * static_cast<double>(bytes);
 }
 
-void measureLevelSet(benchmark::State& state, int vertices) {
-  const double half_length = 0.3, radius = 0.12, voxel = 0.01;
-  const TriangleMesh limb = bodies::capsule(half_length, radius, 48);
-  const TriangleTree tree(limb.positions, limb.triangles);
-  // The sleeve has 4 * rings vertices around its axis and 2 * rings rows of them on its two half spheres; rows on the
-  // tube have the same distance.
-  const double rows_per_ring = 2.0 + 2.0 * half_length / (0.5 * std::numbers::pi * radius);
-  const int rings = static_cast<int>(std::lround(std::sqrt(vertices / (4.0 * rows_per_ring))));
-  const TriangleMesh sleeve = bodies::capsule(half_length, radius + 0.005, rings);
+/// A sleeve of about so many vertices, 5 mm away from a limb.
+struct Sleeve {
+  static constexpr double kHalfLength = 0.3, kRadius = 0.12, kVoxel = 0.01, kDistance = 0.005;  // m
+  TriangleMesh limb = bodies::capsule(kHalfLength, kRadius, 48), mesh;
+  TriangleTree tree{limb.positions, limb.triangles};
+  LevelSet level_set{{.voxel = kVoxel, .band = 0.03}};
   std::vector<Vec3> samples;
-  const Topology topology = buildTopology(sleeve, "sleeve");
-  ContactSamples(static_cast<int>(sleeve.positions.rows()), topology.edges, sleeve.triangles)
-      .positions(sleeve.positions, samples);
-  LevelSet level_set({.voxel = voxel, .band = 0.03});
-  for (auto _ : state) level_set.build(tree, samples, 0.3 * voxel);
-  state.counters["samples"] = static_cast<double>(samples.size());
-  state.counters["voxels"] = static_cast<double>(level_set.filledVoxels());
-  state.counters["vertices"] = static_cast<double>(sleeve.positions.rows());
+
+  explicit Sleeve(int vertices) {
+    // It has 4 * rings vertices around its axis and 2 * rings rows of them on its two half spheres; rows on the tube
+    // have the same distance.
+    const double rows_per_ring = 2.0 + 2.0 * kHalfLength / (0.5 * std::numbers::pi * kRadius);
+    const int rings = static_cast<int>(std::lround(std::sqrt(vertices / (4.0 * rows_per_ring))));
+    mesh = bodies::capsule(kHalfLength, kRadius + kDistance, rings);
+    const Topology topology = buildTopology(mesh, "sleeve");
+    ContactSamples(static_cast<int>(mesh.positions.rows()), topology.edges, mesh.triangles)
+        .positions(mesh.positions, samples);
+  }
+  void build() { level_set.build(tree, samples, 0.3 * kVoxel); }
+  void describe(benchmark::State& state) const {
+    state.counters["samples"] = static_cast<double>(samples.size());
+    state.counters["voxels"] = static_cast<double>(level_set.filledVoxels());
+    state.counters["vertices"] = static_cast<double>(mesh.positions.rows());
+  }
+};
+
+void measureLevelSet(benchmark::State& state, int vertices) {
+  Sleeve sleeve(vertices);
+  for (auto _ : state) sleeve.build();
+  sleeve.describe(state);
+}
+
+void measureContacts(benchmark::State& state, int vertices) {
+  Sleeve sleeve(vertices);
+  sleeve.build();
+  const TriangleMesh& limb = sleeve.limb;
+  const BodyMoment body{&sleeve.level_set, &sleeve.tree, &limb.triangles, &limb.positions, &limb.positions, 0.0};
+  const std::vector<double> offsets(sleeve.samples.size(), Sleeve::kDistance);
+  ContactFinder finder;
+  Contacts contacts;
+  for (auto _ : state) finder.find(body, sleeve.samples, offsets, Sleeve::kDistance, contacts);
+  sleeve.describe(state);
+  const double bytes = kPerSample * static_cast<double>(sleeve.samples.size()) +
+                       kPerVoxel * static_cast<double>(sleeve.level_set.filledVoxels());
+  bound(state, bytes / readBandwidth(static_cast<size_t>(bytes)));
 }
 
 template <class Measure>
@@ -231,6 +263,7 @@ void registerAll(bool quick) {
     add("factor3", n, quick, [side](auto& state) { measureFactor(state, side, 3); });
     add("solve3", n, quick, [side](auto& state) { measureSolve(state, side, 3); });
     add("level-set", n, quick, [n](auto& state) { measureLevelSet(state, n); });
+    add("contacts", n, quick, [n](auto& state) { measureContacts(state, n); });
   }
 }
 
