@@ -69,6 +69,8 @@ bool correspondsOneToOne(const TriangleMesh& first, const TriangleMesh& other) {
   return match.failing_triangle < 0 && std::ranges::none_of(match.other_of_first, [](int j) { return j < 0; });
 }
 
+constexpr const char* kSameMesh = "; every pose must be the same mesh, moved: fit one template to all scans";
+
 void checkSameNumber(const char* what, Eigen::Index first, const std::string& first_name, Eigen::Index other,
                      const std::string& other_name, const char* advice) {
   if (first == other) return;
@@ -117,7 +119,7 @@ void checkSameTriangles(const TriangleMesh& first, const std::string& first_name
                         const std::string& other_name) {
   const char* advice = correspondsOneToOne(first, other)
                            ? "; the triangles correspond one to one in their order: match = \"triangles\" would do"
-                           : "";
+                           : kSameMesh;
   checkSameNumber("vertices", first.positions.rows(), first_name, other.positions.rows(), other_name, advice);
   checkSameNumber("triangles", first.triangles.rows(), first_name, other.triangles.rows(), other_name, advice);
   for (int t = 0; t < first.triangles.rows(); ++t) {
@@ -129,13 +131,13 @@ void checkSameTriangles(const TriangleMesh& first, const std::string& first_name
 
 TriangleMesh matchByTriangles(const TriangleMesh& first, const std::string& first_name, const TriangleMesh& other,
                               const std::string& other_name) {
-  checkSameNumber("triangles", first.triangles.rows(), first_name, other.triangles.rows(), other_name, "");
+  checkSameNumber("triangles", first.triangles.rows(), first_name, other.triangles.rows(), other_name, kSameMesh);
   const Correspondence match = correspondByOrder(first, other);
   if (match.failing_triangle >= 0) {
     const int t = match.failing_triangle;
     throw InputError(joined(other_name, ": does not match ", first_name, " by the order of the triangles: at triangle ",
                             t, ", ", describe(other.triangles, t), " here and ", describe(first.triangles, t),
-                            " there, one vertex would have to be two"));
+                            " there, one vertex would have to be two", kSameMesh));
   }
   TriangleMesh renumbered{Positions(first.positions.rows(), 3), first.triangles};
   for (int i = 0; i < first.positions.rows(); ++i) {
