@@ -13,6 +13,14 @@ TEST_CASE("compressed threads are soft in a fit in passes, and as stiff as stret
   CHECK(compression("[material]\ncompression = 0.3\n[adaption]\n") == 0.3);
 }
 
+TEST_CASE("folds are damped in a fit in passes, unless the scene says how") {
+  const auto damping = [](const std::string& text) { return sceneOf(kBody + text).material.damping_bending; };
+  CHECK(damping("[adaption]\n") == 1e-5);
+  CHECK(damping("[adaption]\nmode = 'sequential'\n") == 0.0);
+  CHECK(damping("[output]\n") == 0.0);
+  CHECK(damping("[material]\ndamping = { stretch = 20 }\n[adaption]\n") == 0.0);
+}
+
 TEST_CASE("keys of one membrane are refused for the other, with what takes their place") {
   CHECK_THAT(errorOf(kBody + "[material]\nmembrane = 'isotropic'\ncompression = 0.1\n"), Contains("mu and lambda"));
   CHECK_THAT(errorOf(kBody + "[material]\nmu = 100\n"), Contains("membrane = 'isotropic' for it"));
