@@ -82,9 +82,9 @@ void LiveRun::leaveFor(const std::vector<Positions>& poses) {
       poses.size() > 1 ? chooseSubsteps(schedule, body_motion_, settings_->comfort_offset) : Substeps();
   band_ = largestOffset();
   contacts_.reset();
-  body_ = std::make_unique<MovingBody>(made_->input.body_triangles, poses,
-                                       schedule.interpolation_steps * substeps.interpolation,
-                                       LevelSetOptions{made_->scene.collision.voxel, kBeyondComfort + band_});
+  body_ = std::make_unique<MovingBody>(
+      made_->input.body_triangles, poses, schedule.interpolation_steps * substeps.interpolation,
+      LevelSetOptions{made_->scene.collision.voxel, kBeyondComfort + band_}, made_->body_ordering);
   substeps_ = substeps;
   way_steps_ = poses.size() > 1 ? timeStepsOfMotion(schedule) : 0;
   moving_ = 0;

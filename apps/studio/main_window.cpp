@@ -46,10 +46,13 @@ MainWindow::MainWindow(Document document) {
   other_->hide();
   row->addWidget(view_, 1);
   row->addWidget(other_, 1);
+  makePatternView();
+  row->addWidget(pattern_, 1);
   makeDocks();
   makeActions();
   const auto used = [this] {
     tool_panel_->showSettings();
+    if (const std::optional<Part> part = tool_->takePicked()) parts_->select(part);
     sync();
   };
   connect(view_, &ViewWidget::used, this, used);
@@ -167,6 +170,7 @@ void MainWindow::frameView() {
 void MainWindow::compare(ViewWidget::Content content) {
   const bool hides = content == ViewWidget::Content::simulated;
   if (!hides) other_->setContent(content);
+  pattern_->hide();
   other_->setVisible(!hides);
   other_->refresh();
 }
@@ -243,21 +247,6 @@ bool MainWindow::open(const QString& file, bool asks) {
     sync();
     return false;
   }
-}
-
-RunDialog* MainWindow::run() {
-  if (studio_->scene().garment.is_draft) {
-    studio_->refuse("there is no garment to run yet: draw boundaries, then click a region");
-    sync();
-    return nullptr;
-  }
-  if (!save()) return nullptr;
-  studio_->play(false);
-  const std::filesystem::path file = std::filesystem::absolute(studio_->document().file());
-  const std::filesystem::path results = file.parent_path() / "results" / studio_->scene().name;
-  auto* dialog = new RunDialog(QString::fromStdString(file.string()), QString::fromStdString(results.string()), this);
-  dialog->show();
-  return dialog;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

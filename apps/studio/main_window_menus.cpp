@@ -34,7 +34,7 @@ void MainWindow::makeDocks() {
   });
   parts_ = new PartsTree(*studio_);
   connect(parts_, &PartsTree::used, this, [this] { sync(); });
-  connect(parts_, &PartsTree::selectionMade, this, [this] { view_->setSelected(parts_->selected()); });
+  connect(parts_, &PartsTree::selectionMade, this, [this] { pickPart(); });
   poses_ = new QListWidget;
   poses_->setViewMode(QListView::IconMode);
   poses_->setIconSize({60, 70});
@@ -111,6 +111,8 @@ void MainWindow::makeFileMenu() {
   add(menu, "Save &picture ...", "Ctrl+E", "Writes what the view shows, twice as large", [this] { exportPicture(); });
   menu->addSeparator();
   add(menu, "&Run ...", "Ctrl+R", "Saves, and does what `ease run` does", [this] { run(); });
+  add(menu, "Pa&ttern ...", "Ctrl+P", "Saves, does what `ease pattern` does, and shows the pieces",
+      [this] { makePattern(); });
   menu->addSeparator();
   add(menu, "&Quit", "Ctrl+Q", "Closes the window", [this] { close(); });
 }
@@ -169,6 +171,8 @@ void MainWindow::makeViewMenu() {
   add(menu, "One &view", "F6", "The simulated garment alone", [this] { compare(ViewWidget::Content::simulated); });
   add(menu, "Rest shape &beside", "F7", "The rest shape in a second view with the same camera",
       [this] { compare(ViewWidget::Content::rest); });
+  add(menu, "&Pattern beside", "F9", "The pieces of the sewing pattern; what is picked there lights up on the garment",
+      [this] { showPattern(pattern_->sheet()); });
   add(menu, "&Keep, and show beside", "F8", "Keeps the garment as it is now in a second view, to compare with later",
       [this] {
         if (!studio_->frame()) return studio_->refuse("there is no garment to keep yet");

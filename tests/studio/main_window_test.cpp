@@ -1,7 +1,13 @@
 #include "tests/studio/main_window_test.h"
 
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QMenuBar>
 #include <QProcess>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabBar>
 #include <QtTest>
 
 #include "solver/io/mesh_io.h"
@@ -241,6 +247,42 @@ void WindowTest::aRunCanBeCancelled() {
   QTRY_VERIFY_WITH_TIMEOUT(!dialog->isRunning(), 60000);
   QVERIFY(QFile::exists(directory_.path() + "/results/dress/report.json"));
   dialog->close();
+}
+
+/// With text of one and a half times the size, the window still fits 1280 x 800 and its parts fit into it.
+void WindowTest::nothingIsCutOffAtLargeText() {
+  const QFont font = QApplication::font();
+  QFont large = font;
+  large.setPointSizeF(1.5 * font.pointSizeF());
+  QApplication::setFont(large);
+  {
+    MainWindow window(Document::builtin((directory_.path() + "/large.toml").toStdString()));
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QTest::qWait(100);
+    QCOMPARE(window.size(), QSize(1280, 800));
+    QVERIFY(window.view().width() >= 500);
+    for (int tool = 0; tool < 7; ++tool) {
+      window.chooseTool(static_cast<PartKind>(tool));
+      QTest::qWait(20);
+      for (const QWidget* part : window.findChildren<QWidget*>()) {
+        const auto* button = qobject_cast<const QAbstractButton*>(part);
+        const bool has_text = qobject_cast<const QLabel*>(part) || (button && !button->text().isEmpty()) ||
+                              qobject_cast<const QAbstractSpinBox*>(part) || qobject_cast<const QTabBar*>(part) ||
+                              qobject_cast<const QMenuBar*>(part);
+        if (!has_text || !part->isVisible()) continue;
+        const QSize least = part->minimumSizeHint();
+        const QByteArray name = QByteArray(part->metaObject()->className()) + " " + part->objectName().toUtf8();
+        QVERIFY2(part->width() >= least.width() && part->height() >= std::min(least.height(), part->maximumHeight()),
+                 name.constData());
+        QVERIFY2(part->objectName() != "qt_toolbar_ext_button", "a tool bar is too narrow for its buttons");
+      }
+      for (const QScrollArea* area : window.findChildren<QScrollArea*>())
+        if (area->isVisible()) QVERIFY2(!area->horizontalScrollBar()->isVisible(), "a dock is too narrow");
+    }
+    window.studio().document().save();
+  }
+  QApplication::setFont(font);
 }
 
 }  // namespace ease
