@@ -166,6 +166,7 @@ int main(int argc, char** argv) {
   std::ifstream in(argv[1]);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   MainWindow window(Document(text, argv[1]));
+  window.resize(1280, 800);
   window.show();
   until([&] { return window.view().drawn() > 0; });
   std::printf("window %.2f s (%.2f s of the processor), body of %ld triangles\n", secondsSince(start),

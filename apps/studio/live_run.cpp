@@ -19,6 +19,7 @@ constexpr double kBeyondComfort = 0.025;  // m: width beyond the comfort offset 
 constexpr double kRoomForComfort = 0.02;  // m: comfort offset up to which the body need not be made anew
 constexpr double kEnoughTied = 0.3;       // share of the new vertices on the old mesh; with fewer it is another garment
 constexpr double kUsualLimit = 0.1;
+constexpr int kPaintIterations = 40;  // they move vertices by less than .1 mm by then; starting over makes them all
 
 }  // namespace
 
@@ -196,7 +197,7 @@ std::string LiveRun::changeInPlace(const MadeGarment& before) {
     adaption_->resume(wanted);
   }
   const std::vector<double> more = paintBetween(paint_, made_->input.paint);
-  if (!more.empty()) adaption_->rescale(more);
+  if (!more.empty()) adaption_->rescale(more, kPaintIterations);
   paint_ = made_->input.paint;
   const bool meets_anew = settings(before) != settings(*made_) || before.input.offsets != made_->input.offsets;
   if (body_ && meets_anew) {

@@ -2,8 +2,10 @@
 
 #include <QCloseEvent>
 #include <QFileDialog>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <algorithm>
@@ -24,7 +26,7 @@ constexpr int kReportTick = 500;        // ms
 }  // namespace
 
 MainWindow::MainWindow(Document document) {
-  resize(1280, 800);
+  resize(QSize(1280, 800).boundedTo(QGuiApplication::primaryScreen()->availableSize()));
   centre_ = new QWidget;
   auto* row = new QHBoxLayout(centre_);
   row->setContentsMargins(0, 0, 0, 0);
@@ -36,7 +38,7 @@ MainWindow::MainWindow(Document document) {
   status_->setMinimumWidth(100);
   way_ = new QProgressBar;
   way_->setRange(0, 100);
-  way_->setFixedWidth(150);
+  way_->setFixedWidth(8 * fontMetrics().height());
   way_->setFormat("pose %p %");
   statusBar()->addWidget(status_, 1);
   statusBar()->addPermanentWidget(way_);

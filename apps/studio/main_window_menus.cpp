@@ -1,4 +1,5 @@
 // Docks, menus, keys and tool bars of the window.
+#include <QComboBox>
 #include <QFileDialog>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -70,8 +71,16 @@ void MainWindow::makeDocks() {
   tabifyDockWidget(report, cloth);
   tabifyDockWidget(cloth, scene);
   report->raise();
-  resizeDocks({tool, parts, poses, report}, {140, 160, 125, 260}, Qt::Vertical);
-  resizeDocks({tool}, {290}, Qt::Horizontal);
+  const int line = fontMetrics().height();
+  constexpr int kLargeText = 23;  // pixels a line: with more, five docks are too many for 800 pixels
+  if (line > kLargeText) {
+    tabifyDockWidget(parts, poses);
+    parts->raise();
+    resizeDocks({tool, parts, report}, {7 * line, 7 * line, 10 * line}, Qt::Vertical);
+  } else {
+    resizeDocks({tool, parts, poses, report}, {7 * line, 8 * line, 6 * line, 13 * line}, Qt::Vertical);
+  }
+  resizeDocks({tool}, {15 * line}, Qt::Horizontal);
 }
 
 QAction* MainWindow::add(QMenu* menu, const QString& text, const QString& keys, const QString& tip,
@@ -226,7 +235,16 @@ void MainWindow::makeSimulationMenu() {
   bar->addActions({undo_, redo_});
   bar->addSeparator();
   bar->addWidget(new QLabel("Colour: "));
-  bar->addActions(shown_->actions());
+  auto* colors = new QComboBox;
+  colors->setToolTip("What the cloth's colours show");
+  colors->setFocusPolicy(Qt::NoFocus);  // keys belong to the view
+  for (QAction* action : shown_->actions()) colors->addItem(action->text().remove('&'));
+  colors->setCurrentIndex(shown_->actions().indexOf(shown_->checkedAction()));
+  connect(colors, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int index) { shown_->actions()[index]->trigger(); });
+  connect(shown_, &QActionGroup::triggered, colors,
+          [this, colors](QAction* action) { colors->setCurrentIndex(shown_->actions().indexOf(action)); });
+  bar->addWidget(colors);
 }
 
 void MainWindow::makeSettingsMenu() {

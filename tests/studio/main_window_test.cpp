@@ -22,6 +22,7 @@ void WindowTest::initTestCase() {
   text.setValue("garment", 0, "resolution", "1500");
   text.setValue("body", 0, "seconds_per_pose", "0.25");
   window_ = std::make_unique<MainWindow>(Document(text.text(), file));
+  window_->resize(1280, 800);
   window_->show();
   QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
   wait();
@@ -257,6 +258,7 @@ void WindowTest::nothingIsCutOffAtLargeText() {
   QApplication::setFont(large);
   {
     MainWindow window(Document::builtin((directory_.path() + "/large.toml").toStdString()));
+    window.resize(1280, 800);
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
     QTest::qWait(100);

@@ -10,6 +10,7 @@ namespace ease {
 void PatternViewTest::initTestCase() {
   QVERIFY(directory_.isValid());
   window_ = std::make_unique<MainWindow>(Document(kSmallDraft, (directory_.path() + "/top.toml").toStdString()));
+  window_->resize(1280, 800);
   window_->show();
   QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
   wait();
