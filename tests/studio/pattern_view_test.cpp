@@ -75,14 +75,15 @@ void PatternViewTest::aPieceOnPaperLightsUpOnTheGarment() {
   // The piece around a vertex of the chest.
   const Vec3 chest = onCloth({0.03, 1.2, 0.13});
   const QPoint at = window_->view().pixelOf(chest);
-  const int triangle = window_->studio().stage.hitCloth(at.x(), at.y())->place.triangle;
+  const double ratio = window_->devicePixelRatioF();
+  const int triangle = window_->studio().stage.hitCloth(ratio * at.x(), ratio * at.y())->place.triangle;
   const PatternSheet& sheet = *window_->pattern().sheet();
   size_t front = 0;
   for (size_t p = 0; p < sheet.pieces.size(); ++p)
     for (const int number : sheet.pieces[p].numbers)
       if (std::count(sheet.triangles[number].begin(), sheet.triangles[number].end(), triangle)) front = p;
   const auto isOrange = [&] {
-    const QColor color = window_->view().picture().pixelColor(at);
+    const QColor color = window_->view().picture().pixelColor(ratio * at);
     return color.red() > color.blue() + 60;
   };
   QVERIFY(!isOrange());
