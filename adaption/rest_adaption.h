@@ -20,7 +20,9 @@ class RestAdaption {
   void resume(const std::vector<Mat2>& wanted_edges) { stitcher_.restore(wanted_edges); }
 
   /// Scales what every triangle asks for by its factor, above or below 1, and adapts the rest shape to that.
-  void rescale(const std::vector<double>& scales) { stitcher_.rescale(cloth_, scales); }
+  void rescale(const std::vector<double>& scales, int iterations = Stitcher::kRescaleIterations) {
+    stitcher_.rescale(cloth_, scales, iterations);
+  }
 
   /// Adapts the cloth's rest shape to its present stretch; returns whether it grew.
   bool adapt(const std::vector<Stretch>& stretch);

@@ -12,7 +12,6 @@ namespace ease {
 namespace {
 
 constexpr int kIterations = 10;
-constexpr int kRescaleIterations = 100;  // more, since it is done once and starts further from the minimum
 constexpr int kEmbeddingIterations = 300;
 constexpr double kNearness = 1e-3;  // share of a vertex's diagonal entry; keeps parts that do not grow in place
 
@@ -79,9 +78,9 @@ void Stitcher::stitch(Cloth& cloth, const std::vector<Mat2>& growth) {
   fitWanted(cloth, kIterations);
 }
 
-void Stitcher::rescale(Cloth& cloth, const std::vector<double>& scales) {
+void Stitcher::rescale(Cloth& cloth, const std::vector<double>& scales, int iterations) {
   for (int t = 0; t < cloth.triangleCount(); ++t) wanted_[t] *= scales[t];
-  fitWanted(cloth, kRescaleIterations);
+  fitWanted(cloth, iterations);
 }
 
 Positions Stitcher::embed(const Cloth& cloth) {

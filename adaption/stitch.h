@@ -28,9 +28,11 @@ class Stitcher {
   /// Gives the cloth the rest shape nearest to its triangles grown by `growth` (2x2 each; identity: no growth).
   void stitch(Cloth& cloth, const std::vector<Mat2>& growth);
 
+  /// Iterations of rescale(): more than of stitch(), since it is done once and starts further from the minimum.
+  static constexpr int kRescaleIterations = 100;
   /// Scales the wanted edges of each triangle by its factor, above or below 1, and gives the cloth the nearest rest
   /// shape.
-  void rescale(Cloth& cloth, const std::vector<double>& scales);
+  void rescale(Cloth& cloth, const std::vector<double>& scales, int iterations = kRescaleIterations);
 
   /// Computes positions of the vertices at which the edges have the lengths of the cloth's flat rest triangles as
   /// nearly as a surface in space can, starting from its present positions; m.

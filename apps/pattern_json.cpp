@@ -1,5 +1,6 @@
 #include "apps/pattern_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -144,12 +145,19 @@ std::string patternJson(const Scene& scene, const MadePattern& made) {
     }
     Json notches = Json::array();
     for (const Notch& notch : piece.notches) notches.push_back({notch.at.x(), notch.at.y()});
+    Json numbers = Json::array({piece.source});
+    if (piece.twin >= 0) numbers.push_back(piece.twin);
+    const auto grain = std::find_if(piece.lines.begin(), piece.lines.end(),
+                                    [](const DrawnLine& line) { return line.ink == Ink::grain; });
     json["outlines"].push_back({{"name", piece.name},
+                                {"piece", numbers},
                                 {"quantity", piece.quantity},
                                 {"mirrored", piece.mirrored},
                                 {"cut", pointsJson(piece.cut)},
                                 {"sew", pointsJson(piece.sew)},
                                 {"notches", notches},
+                                {"grain", grain == piece.lines.end() ? Json::array() : pointsJson(grain->points)},
+                                {"name_at", pointsJson({piece.texts.front().at}).front()},
                                 {"edges", edges}});
   }
   return json.dump() + "\n";

@@ -121,7 +121,7 @@ void writeFlatMesh(const MadePattern& made, const std::filesystem::path& file) {
   const TriangleMesh mesh = onSheet(made);
   Frame frame{mesh.positions, {}, {}};
   NamedArray warp{"thread_warp", 1, {}}, weft{"thread_weft", 1, {}}, shear{"shear_deg", 1, {}}, piece{"piece", 1, {}},
-      glue{"garment_vertex", 1, {}};
+      glue{"garment_vertex", 1, {}}, from{"garment_triangle", 1, {}};
   for (const ThreadStrain& strain : made.flat.strains) {
     warp.values.push_back(static_cast<float>(strain.warp));
     weft.values.push_back(static_cast<float>(strain.weft));
@@ -129,7 +129,9 @@ void writeFlatMesh(const MadePattern& made, const std::filesystem::path& file) {
   }
   for (const int p : made.flat.cut.pieces.piece) piece.values.push_back(static_cast<float>(p));
   for (const int v : made.file_vertex) glue.values.push_back(static_cast<float>(v));
-  frame.triangle_arrays = {warp, weft, shear, piece};
+  for (size_t t = 0; t < made.flat.strains.size(); ++t)
+    from.values.push_back(static_cast<float>(made.cuts ? made.cuts->cut.source[t] : static_cast<int>(t)));
+  frame.triangle_arrays = {warp, weft, shear, piece, from};
   frame.vertex_arrays = {glue};
   writeVtp(file, mesh.triangles, frame);
 }

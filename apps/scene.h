@@ -180,7 +180,7 @@ struct StartGarment {
 /// InputError.  `tell` receives every warning as soon as it is known, because a later error may have the same cause.
 /// `before` is the start garment of a run to be resumed: the scene's garment must have its triangles and gets its
 /// positions.  `pause` is called between meshes and between tools.  `body`: an earlier input of the same [body], whose
-/// poses are taken over.
+/// poses are taken over, and whose motion checkMotion() has seen.
 SceneInput readSceneInput(const Scene& scene, const Warn& tell = nullptr, const StartGarment* before = nullptr,
                           const Pause& pause = nullptr, const SceneInput* body = nullptr);
 

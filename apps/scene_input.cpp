@@ -140,7 +140,7 @@ SceneInput readSceneInput(const Scene& scene, const Warn& tell, const StartGarme
 
   if (!scene.body) return input;
   if (!scene.garment.tools) readPoses(scene, warn, pause, body, input);
-  checkMotion(scene, input, warn);
+  if (!body) checkMotion(scene, input, warn);
   checkStart(name, warn, input);
   return input;
 }

@@ -159,12 +159,14 @@ void simulate(MainWindow& window, double turn_s) {
 
 int main(int argc, char** argv) {
   const auto start = Clock::now();
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
   if (argc < 2) return std::fputs("usage: bench_studio SCENE [SECONDS]\n", stderr), 1;
   std::ifstream in(argv[1]);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   MainWindow window(Document(text, argv[1]));
+  window.resize(1280, 800);
   window.show();
   until([&] { return window.view().drawn() > 0; });
   std::printf("window %.2f s (%.2f s of the processor), body of %ld triangles\n", secondsSince(start),
@@ -179,9 +181,8 @@ int main(int argc, char** argv) {
   for (int k = 0; k < 5; ++k) {
     making.begin();
     studio.gesture(withRegion(studio.text(), seed + Vec3(0, 0.001 * (k + 1), 0)), "region");
-    until([&] { return !studio.isMaking(); });
-    const long drawn = window.view().drawn();
-    until([&] { return window.view().drawn() > drawn; });
+    until([&] { return !studio.isMaking() && studio.frame()->made == studio.made(); });
+    window.view().repaint();
     making.end();
   }
   making.print("garment made and shown");

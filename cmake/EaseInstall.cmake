@@ -2,8 +2,9 @@
 #
 #   lib/libease_COMPONENT.a, include/ease/FOLDER/...h, lib/cmake/ease/       the libraries, with find_package(ease)
 #   bin/ease, its man page, the completion of its command line, scenes, batch, licence   the program
+#   bin/ease-studio, its man page, its entry in the menu of programs, where Qt is found   the editor
 #
-# Install component `library` or `program` selects one of the two.
+# Install component `library`, `program` or `studio` selects one of them.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -45,5 +46,14 @@ if(EASE_BUILD_APPS)
     FILES_MATCHING PATTERN "*.toml")
   install(DIRECTORY batch/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ease/batch COMPONENT program
     USE_SOURCE_PERMISSIONS PATTERN "__pycache__" EXCLUDE)
+  if(TARGET ease-studio)
+    install(TARGETS ease-studio RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT studio)
+    configure_file(apps/studio/ease-studio.1.in ${PROJECT_BINARY_DIR}/ease-studio.1 @ONLY)
+    execute_process(COMMAND ${GZIP_PROGRAM} -9nkf ${PROJECT_BINARY_DIR}/ease-studio.1 COMMAND_ERROR_IS_FATAL ANY)
+    install(FILES ${PROJECT_BINARY_DIR}/ease-studio.1.gz
+      DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT studio)
+    install(FILES apps/studio/ease-studio.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT studio)
+    install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ease-studio COMPONENT studio)
+  endif()
   include(EasePackage)
 endif()

@@ -1,5 +1,5 @@
-# The Debian package of the program (script/package): its man page, completion and scenes go with it, the libraries for
-# programmers do not.
+# The Debian packages (script/package): `ease`, the program with its man page, completion and scenes, and `ease-studio`,
+# the editor, which alone needs Qt.  The libraries for programmers are in neither.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ease)
 set(CPACK_PACKAGE_VENDOR "Ease")
@@ -8,6 +8,9 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL program)
+if(TARGET ease-studio)
+  list(APPEND CPACK_COMPONENTS_ALL studio)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME ease)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -15,4 +18,8 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Ease simulates a garment on a body that moves between scanned poses \
 and lets the garment out where the motion would stretch it too far.")
+set(CPACK_DEBIAN_STUDIO_PACKAGE_NAME ease-studio)
+set(CPACK_DEBIAN_STUDIO_PACKAGE_DEPENDS "ease (= ${PROJECT_VERSION}), libegl1, libgl1-mesa-dri, fonts-dejavu-core")
+set(CPACK_DEBIAN_STUDIO_DESCRIPTION "Ease Studio is a window in which a garment is drawn on a scanned body, \
+simulated, and changed while it moves; what it saves is a scene for the program ease.")
 include(CPack)

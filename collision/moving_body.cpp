@@ -22,17 +22,16 @@ constexpr double kMarginVoxels = 0.4;  // how far samples move away from the poi
 }  // namespace
 
 MovingBody::MovingBody(const Triangles& triangles, const std::vector<Positions>& poses, int steps,
-                       const LevelSetOptions& options)
+                       const LevelSetOptions& options, std::span<const int> ordering)
     : triangles_(triangles),
       steps_(steps),
       margin_(kMarginVoxels * options.voxel),
       band_(options.band),
       first_(poses.front()) {
-  std::vector<int> ordering;
-  for (size_t p = 0; p + 1 < poses.size(); ++p) {
-    if (p == 0) ordering = systemOrdering(static_cast<int>(first_.rows()), triangles);
+  std::vector<int> own;
+  if (ordering.empty() && poses.size() > 1) ordering = own = systemOrdering(static_cast<int>(first_.rows()), triangles);
+  for (size_t p = 0; p + 1 < poses.size(); ++p)
     interpolations_.emplace_back(triangles, poses[p], poses[p + 1], ordering);
-  }
   for (int i = 0; i < 2; ++i) prepared_.push_back({TriangleTree(first_, triangles_), LevelSet(options)});
   known_.resize(motionSteps() + 1);
 }

@@ -23,9 +23,10 @@ namespace ease {
 
 class MovingBody {
  public:
-  /// `steps`: interpolation steps from a pose to the next.  With one pose the body does not move.
-  MovingBody(const Triangles& triangles, const std::vector<Positions>& poses, int steps,
-             const LevelSetOptions& options);
+  /// `steps`: interpolation steps from a pose to the next.  With one pose the body does not move.  `ordering`:
+  /// systemOrdering() of the body; if empty, it is computed where it is needed.
+  MovingBody(const Triangles& triangles, const std::vector<Positions>& poses, int steps, const LevelSetOptions& options,
+             std::span<const int> ordering = {});
 
   const Triangles& triangles() const { return triangles_; }
   /// Distances to the body are exact below this, m.

@@ -3,10 +3,12 @@
 #include <chrono>
 
 #include "apps/pinned_vertices.h"
+#include "apps/pose_files.h"
 #include "apps/studio/parts.h"
 #include "garment/comfort.h"
 #include "garment/paint.h"
 #include "solver/base/stopwatch.h"
+#include "solver/linear/gradient_system.h"
 #include "solver/mesh/topology.h"
 
 namespace ease {
@@ -77,10 +79,17 @@ void nameEdges(MadeGarment& made) {
 MadeGarment makeGarment(const std::string& text, const Scene& scene, const SceneInput& body, const MadeGarment* last,
                         const Pause& pause) {
   MadeGarment made;
+  std::vector<std::string> motion_warnings;
   {
     const Stopwatch stopwatch(made.seconds);
     made.scene = scene;
     made.mesh_key = meshKey(text);
+    if (last) {
+      made.body_ordering = last->body_ordering;
+    } else if (!body.poses.empty()) {
+      made.body_ordering = systemOrdering(static_cast<int>(body.poses.front().rows()), body.body_triangles);
+      checkMotion(scene, body, [&](const std::string& warning) { motion_warnings.push_back(warning); });
+    }
     if (scene.garment.is_draft) {
       made.input = body;
       made.loops = draftLoops(scene, body, last);
@@ -90,6 +99,7 @@ MadeGarment makeGarment(const std::string& text, const Scene& scene, const Scene
       made.input = readSceneInput(scene, nullptr, nullptr, pause, &body);
     }
     if (made.hasGarment()) nameEdges(made);
+    made.input.warnings.insert(made.input.warnings.end(), motion_warnings.begin(), motion_warnings.end());
   }
   return made;
 }

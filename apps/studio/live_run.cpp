@@ -19,6 +19,7 @@ constexpr double kBeyondComfort = 0.025;  // m: width beyond the comfort offset 
 constexpr double kRoomForComfort = 0.02;  // m: comfort offset up to which the body need not be made anew
 constexpr double kEnoughTied = 0.3;       // share of the new vertices on the old mesh; with fewer it is another garment
 constexpr double kUsualLimit = 0.1;
+constexpr int kPaintIterations = 40;  // they move vertices by less than .1 mm by then; starting over makes them all
 
 }  // namespace
 
@@ -82,9 +83,9 @@ void LiveRun::leaveFor(const std::vector<Positions>& poses) {
       poses.size() > 1 ? chooseSubsteps(schedule, body_motion_, settings_->comfort_offset) : Substeps();
   band_ = largestOffset();
   contacts_.reset();
-  body_ = std::make_unique<MovingBody>(made_->input.body_triangles, poses,
-                                       schedule.interpolation_steps * substeps.interpolation,
-                                       LevelSetOptions{made_->scene.collision.voxel, kBeyondComfort + band_});
+  body_ = std::make_unique<MovingBody>(
+      made_->input.body_triangles, poses, schedule.interpolation_steps * substeps.interpolation,
+      LevelSetOptions{made_->scene.collision.voxel, kBeyondComfort + band_}, made_->body_ordering);
   substeps_ = substeps;
   way_steps_ = poses.size() > 1 ? timeStepsOfMotion(schedule) : 0;
   moving_ = 0;
@@ -196,7 +197,7 @@ std::string LiveRun::changeInPlace(const MadeGarment& before) {
     adaption_->resume(wanted);
   }
   const std::vector<double> more = paintBetween(paint_, made_->input.paint);
-  if (!more.empty()) adaption_->rescale(more);
+  if (!more.empty()) adaption_->rescale(more, kPaintIterations);
   paint_ = made_->input.paint;
   const bool meets_anew = settings(before) != settings(*made_) || before.input.offsets != made_->input.offsets;
   if (body_ && meets_anew) {

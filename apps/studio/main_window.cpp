@@ -2,8 +2,10 @@
 
 #include <QCloseEvent>
 #include <QFileDialog>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <algorithm>
@@ -24,7 +26,7 @@ constexpr int kReportTick = 500;        // ms
 }  // namespace
 
 MainWindow::MainWindow(Document document) {
-  resize(1280, 800);
+  resize(QSize(1280, 800).boundedTo(QGuiApplication::primaryScreen()->availableSize()));
   centre_ = new QWidget;
   auto* row = new QHBoxLayout(centre_);
   row->setContentsMargins(0, 0, 0, 0);
@@ -36,7 +38,7 @@ MainWindow::MainWindow(Document document) {
   status_->setMinimumWidth(100);
   way_ = new QProgressBar;
   way_->setRange(0, 100);
-  way_->setFixedWidth(150);
+  way_->setFixedWidth(8 * fontMetrics().height());
   way_->setFormat("pose %p %");
   statusBar()->addWidget(status_, 1);
   statusBar()->addPermanentWidget(way_);
@@ -46,10 +48,13 @@ MainWindow::MainWindow(Document document) {
   other_->hide();
   row->addWidget(view_, 1);
   row->addWidget(other_, 1);
+  makePatternView();
+  row->addWidget(pattern_, 1);
   makeDocks();
   makeActions();
   const auto used = [this] {
     tool_panel_->showSettings();
+    if (const std::optional<Part> part = tool_->takePicked()) parts_->select(part);
     sync();
   };
   connect(view_, &ViewWidget::used, this, used);
@@ -167,6 +172,7 @@ void MainWindow::frameView() {
 void MainWindow::compare(ViewWidget::Content content) {
   const bool hides = content == ViewWidget::Content::simulated;
   if (!hides) other_->setContent(content);
+  pattern_->hide();
   other_->setVisible(!hides);
   other_->refresh();
 }
@@ -243,21 +249,6 @@ bool MainWindow::open(const QString& file, bool asks) {
     sync();
     return false;
   }
-}
-
-RunDialog* MainWindow::run() {
-  if (studio_->scene().garment.is_draft) {
-    studio_->refuse("there is no garment to run yet: draw boundaries, then click a region");
-    sync();
-    return nullptr;
-  }
-  if (!save()) return nullptr;
-  studio_->play(false);
-  const std::filesystem::path file = std::filesystem::absolute(studio_->document().file());
-  const std::filesystem::path results = file.parent_path() / "results" / studio_->scene().name;
-  auto* dialog = new RunDialog(QString::fromStdString(file.string()), QString::fromStdString(results.string()), this);
-  dialog->show();
-  return dialog;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

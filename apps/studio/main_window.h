@@ -13,6 +13,7 @@
 
 #include "apps/studio/cloth_panel.h"
 #include "apps/studio/parts_tree.h"
+#include "apps/studio/pattern_view.h"
 #include "apps/studio/run_dialog.h"
 #include "apps/studio/scene_panel.h"
 #include "apps/studio/tool_panel.h"
@@ -39,6 +40,9 @@ class MainWindow : public QMainWindow {
   bool open(const QString& file, bool asks = true);
   /// Does what `ease run` does with the saved scene.
   RunDialog* run();
+  /// Does what `ease pattern` does with it, runs it first where that has not been done, and shows the pieces.
+  RunDialog* makePattern();
+  PatternView& pattern() { return *pattern_; }
   const QString& statusText() const { return status_text_; }
 
  protected:
@@ -62,6 +66,12 @@ class MainWindow : public QMainWindow {
   void look(double yaw_deg, double pitch_deg);
   void frameView();
   void compare(ViewWidget::Content content);
+  void showPattern(std::shared_ptr<const PatternSheet> sheet);
+  void makePatternView();
+  void pickOnPaper();
+  void pickPart();
+  RunDialog* runCommands(const QStringList& commands);
+  std::filesystem::path resultsDirectory() const;
   void saveAs();
   void exportPicture();
   bool mayDropWork();
@@ -73,6 +83,7 @@ class MainWindow : public QMainWindow {
   PartKind tool_kind_ = PartKind::boundary;
   QWidget* centre_ = nullptr;
   ViewWidget *view_ = nullptr, *other_ = nullptr;
+  PatternView* pattern_ = nullptr;
   ToolPanel* tool_panel_ = nullptr;
   ClothPanel* cloth_panel_ = nullptr;
   PartsTree* parts_ = nullptr;

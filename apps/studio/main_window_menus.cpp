@@ -1,4 +1,5 @@
 // Docks, menus, keys and tool bars of the window.
+#include <QComboBox>
 #include <QFileDialog>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -34,7 +35,7 @@ void MainWindow::makeDocks() {
   });
   parts_ = new PartsTree(*studio_);
   connect(parts_, &PartsTree::used, this, [this] { sync(); });
-  connect(parts_, &PartsTree::selectionMade, this, [this] { view_->setSelected(parts_->selected()); });
+  connect(parts_, &PartsTree::selectionMade, this, [this] { pickPart(); });
   poses_ = new QListWidget;
   poses_->setViewMode(QListView::IconMode);
   poses_->setIconSize({60, 70});
@@ -70,8 +71,16 @@ void MainWindow::makeDocks() {
   tabifyDockWidget(report, cloth);
   tabifyDockWidget(cloth, scene);
   report->raise();
-  resizeDocks({tool, parts, poses, report}, {140, 160, 125, 260}, Qt::Vertical);
-  resizeDocks({tool}, {290}, Qt::Horizontal);
+  const int line = fontMetrics().height();
+  constexpr int kLargeText = 23;  // pixels a line: with more, five docks are too many for 800 pixels
+  if (line > kLargeText) {
+    tabifyDockWidget(parts, poses);
+    parts->raise();
+    resizeDocks({tool, parts, report}, {7 * line, 7 * line, 10 * line}, Qt::Vertical);
+  } else {
+    resizeDocks({tool, parts, poses, report}, {7 * line, 8 * line, 6 * line, 13 * line}, Qt::Vertical);
+  }
+  resizeDocks({tool}, {15 * line}, Qt::Horizontal);
 }
 
 QAction* MainWindow::add(QMenu* menu, const QString& text, const QString& keys, const QString& tip,
@@ -111,6 +120,8 @@ void MainWindow::makeFileMenu() {
   add(menu, "Save &picture ...", "Ctrl+E", "Writes what the view shows, twice as large", [this] { exportPicture(); });
   menu->addSeparator();
   add(menu, "&Run ...", "Ctrl+R", "Saves, and does what `ease run` does", [this] { run(); });
+  add(menu, "Pa&ttern ...", "Ctrl+P", "Saves, does what `ease pattern` does, and shows the pieces",
+      [this] { makePattern(); });
   menu->addSeparator();
   add(menu, "&Quit", "Ctrl+Q", "Closes the window", [this] { close(); });
 }
@@ -169,6 +180,8 @@ void MainWindow::makeViewMenu() {
   add(menu, "One &view", "F6", "The simulated garment alone", [this] { compare(ViewWidget::Content::simulated); });
   add(menu, "Rest shape &beside", "F7", "The rest shape in a second view with the same camera",
       [this] { compare(ViewWidget::Content::rest); });
+  add(menu, "&Pattern beside", "F9", "The pieces of the sewing pattern; what is picked there lights up on the garment",
+      [this] { showPattern(pattern_->sheet()); });
   add(menu, "&Keep, and show beside", "F8", "Keeps the garment as it is now in a second view, to compare with later",
       [this] {
         if (!studio_->frame()) return studio_->refuse("there is no garment to keep yet");
@@ -222,7 +235,16 @@ void MainWindow::makeSimulationMenu() {
   bar->addActions({undo_, redo_});
   bar->addSeparator();
   bar->addWidget(new QLabel("Colour: "));
-  bar->addActions(shown_->actions());
+  auto* colors = new QComboBox;
+  colors->setToolTip("What the cloth's colours show");
+  colors->setFocusPolicy(Qt::NoFocus);  // keys belong to the view
+  for (QAction* action : shown_->actions()) colors->addItem(action->text().remove('&'));
+  colors->setCurrentIndex(shown_->actions().indexOf(shown_->checkedAction()));
+  connect(colors, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int index) { shown_->actions()[index]->trigger(); });
+  connect(shown_, &QActionGroup::triggered, colors,
+          [this, colors](QAction* action) { colors->setCurrentIndex(shown_->actions().indexOf(action)); });
+  bar->addWidget(colors);
 }
 
 void MainWindow::makeSettingsMenu() {

@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 #include <QSignalBlocker>
+#include <QTreeWidgetItemIterator>
 
 #include "solver/base/error.h"
 
@@ -49,6 +50,13 @@ std::optional<Part> PartsTree::selected() const {
   const int number = items.front()->data(0, kNumber).toInt();
   if (number < 0 || number >= static_cast<int>(parts_.size())) return std::nullopt;
   return parts_[number];
+}
+
+void PartsTree::select(const std::optional<Part>& part) {
+  clearSelection();
+  for (QTreeWidgetItemIterator item(this); part && *item; ++item)
+    if (const int number = (*item)->data(0, kNumber).toInt(); number >= 0 && parts_[number] == *part)
+      return setCurrentItem(*item);
 }
 
 void PartsTree::removeSelected() {

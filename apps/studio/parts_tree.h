@@ -17,6 +17,8 @@ class PartsTree : public QTreeWidget {
   /// Lists the parts that there are now.
   void list();
   std::optional<Part> selected() const;
+  /// Selects a part as a click does; none: nothing.
+  void select(const std::optional<Part>& part);
   void removeSelected();
   void renameSelected();
 

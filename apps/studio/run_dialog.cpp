@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QPixmap>
@@ -19,9 +20,9 @@ QString RunDialog::program() {
   return "ease";
 }
 
-RunDialog::RunDialog(const QString& scene, const QString& directory, QWidget* parent)
-    : QDialog(parent), directory_(directory) {
-  setWindowTitle("Run");
+RunDialog::RunDialog(const QStringList& commands, const QString& scene, const QString& directory, QWidget* parent)
+    : QDialog(parent), commands_(commands), scene_(scene), directory_(directory) {
+  setWindowTitle(commands.back() == "run" ? "Run" : "Pattern");
   setAttribute(Qt::WA_DeleteOnClose);
   auto* column = new QVBoxLayout(this);
   text_ = new QLabel("Starting ...");
@@ -49,7 +50,13 @@ RunDialog::RunDialog(const QString& scene, const QString& directory, QWidget* pa
   connect(&tick_, &QTimer::timeout, this, [this] { readProgress(); });
   clock_.start();
   tick_.start(1000);
-  process_.start(program(), {"run", scene, "-o", directory});
+  start();
+}
+
+void RunDialog::start() {
+  said_.clear();
+  bar_->setRange(0, 0);
+  process_.start(program(), {commands_.front(), scene_, "-o", directory_});
 }
 
 RunDialog::~RunDialog() {
@@ -79,12 +86,20 @@ void RunDialog::readProgress() {
 
 void RunDialog::finish(int code) {
   said_ += QString::fromUtf8(process_.readAll());
+  constexpr int kDone = 0, kDoubtful = 3, kInterrupted = 130;  // exit codes of ease
+  const bool is_done = code == kDone || code == kDoubtful;
+  if (is_done && commands_.size() > 1) {
+    commands_.removeFirst();
+    return start();
+  }
   tick_.stop();
   bar_->hide();
   button_->setText("Close");
-  if (code == 0 || code == 130) return showResult();
+  if (is_done || code == kInterrupted) showResult();
+  if (is_done) Q_EMIT succeeded();
+  if (is_done || code == kInterrupted) return;
   const QStringList lines = said_.split('\n', Qt::SkipEmptyParts);
-  text_->setText("The run failed: " + (lines.isEmpty() ? QString("exit code %1").arg(code) : lines.back()));
+  text_->setText("It failed: " + (lines.isEmpty() ? QString("exit code %1").arg(code) : lines.back()));
 }
 
 void RunDialog::showResult() {
@@ -99,10 +114,11 @@ void RunDialog::showResult() {
       text += QString("\nTriangles over the limit at the worst moment: %1 % before, %2 % after")
                   .arg(share("before"), 0, 'f', 2)
                   .arg(share("after"), 0, 'f', 2);
+    for (const QJsonValue& doubt : report["doubts"].toArray()) text += "\nThe figures say nothing: " + doubt.toString();
     if (report["interrupted"].toBool()) text += "\nIt was interrupted; `ease run --resume` goes on from there.";
   }
   text_->setText(text);
-  const QPixmap stretch(directory_ + "/stretch.png");
+  const QPixmap stretch(directory_ + (commands_.front() == "run" ? "/stretch.png" : "/pattern_resewn.png"));
   if (!stretch.isNull())
     picture_->setPixmap(stretch.scaled(int(960 * devicePixelRatioF()), int(600 * devicePixelRatioF()),
                                        Qt::KeepAspectRatio, Qt::SmoothTransformation));

@@ -1,4 +1,4 @@
-// Does what `ease run` does, as a process of its own, and shows its result.
+// Does what `ease run` and `ease pattern` do, as processes of their own, and shows the result.
 #pragma once
 
 #include <QDialog>
@@ -15,8 +15,9 @@ class RunDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Starts the run of a scene file; its results go to `directory`.
-  RunDialog(const QString& scene, const QString& directory, QWidget* parent = nullptr);
+  /// Starts `ease` with these words ("run", "pattern"), one after the other, of a scene file; results go to
+  /// `directory`.
+  RunDialog(const QStringList& commands, const QString& scene, const QString& directory, QWidget* parent = nullptr);
   ~RunDialog() override;
 
   bool isRunning() const { return process_.state() != QProcess::NotRunning; }
@@ -26,12 +27,18 @@ class RunDialog : public QDialog {
   /// The program `ease` beside this one.
   static QString program();
 
+ Q_SIGNALS:
+  /// The last command has ended: everything is written.
+  void succeeded();
+
  private:
+  void start();
   void readProgress();
   void finish(int code);
   void showResult();
 
-  QString directory_, said_;
+  QStringList commands_;  // still to be done; the first is running
+  QString scene_, directory_, said_;
   QProcess process_;
   QElapsedTimer clock_;
   QTimer tick_;

@@ -7,12 +7,15 @@ namespace ease {
 std::string SeamTool::hint() const {
   if (!from_.empty()) return "Click points that the seam passes, then the edge where it ends; Esc drops it";
   if (!points_.empty()) return "Click further points around the garment; Enter closes the seam, Esc drops it";
-  return "Click an edge of the garment where the seam begins; or click cloth, for a closed seam around it";
+  if (!picked_name_.empty()) return "Seam '" + picked_name_ + "' is picked; Del removes it";
+  return "Click an edge of the garment where the seam begins, cloth for a closed seam around it, or a seam to pick it";
 }
 
 void SeamTool::hover(const Pointer& pointer) {
   loop_ = studio_.stage.hitLoop(pointer.x, pointer.y);
-  cursor_ = loop_ ? std::nullopt : studio_.stage.hitCloth(pointer.x, pointer.y);
+  const bool picks = !loop_ && from_.empty() && points_.empty();
+  seam_ = picks ? studio_.stage.hitSeam(pointer.x, pointer.y) : std::nullopt;
+  cursor_ = loop_ || seam_ ? std::nullopt : studio_.stage.hitCloth(pointer.x, pointer.y);
 }
 
 void SeamTool::press(const Pointer& pointer) {
@@ -21,6 +24,12 @@ void SeamTool::press(const Pointer& pointer) {
     return studio_.refuse("this garment comes from a file or is built in; only one made of boundaries can have seams");
   hover(pointer);
   if (of_ && of_->input.garment.triangles != studio_.stage.clothAsMade().triangles) forget();
+  picked_name_.clear();
+  if (seam_) {
+    picked_name_ = studio_.stage.made().scene.garment.tools->seams[*seam_].name;
+    picked_ = Part{PartKind::seam, *seam_, picked_name_};
+    return studio_.say(hint());
+  }
   if (loop_) {
     const std::string name = studio_.stage.made().edges[loop_->loop].name;
     if (!from_.empty()) return end(name);
@@ -81,7 +90,17 @@ void SeamTool::cancel() {
   studio_.say(hint());
 }
 
+void SeamTool::remove() {
+  for (const Part& part : partsOf(studio_.scene())) {
+    if (part.kind != PartKind::seam || part.label != picked_name_) continue;
+    if (studio_.gesture(without(studio_.text(), part), "remove '" + part.label + "'")) picked_name_.clear();
+    return;
+  }
+  studio_.refuse("pick a seam first: click it; Del then removes it");
+}
+
 void SeamTool::forget() {
+  picked_name_.clear();
   from_.clear();
   points_.clear();
   of_.reset();
@@ -92,6 +111,11 @@ void SeamTool::addMarks(Marks& marks) const {
   if (loop_ && loop_->loop < static_cast<int>(studio_.stage.made().edges.size()))
     marks.lines.push_back(
         {positionsOf(studio_.stage.made().edges[loop_->loop].vertices, studio_.stage.cloth()), true, kSeamColor, 6.0});
+  const MadeGarment& made = studio_.stage.made();
+  if (seam_ && made.input.authored && *seam_ < static_cast<int>(made.input.authored->seams.size())) {
+    const Seam& seam = made.input.authored->seams[*seam_];
+    marks.lines.push_back({positionsOf(seam.vertices, studio_.stage.cloth()), seam.is_closed, kHoverColor, 5.0});
+  }
   if (of_ && of_->input.garment.triangles != studio_.stage.clothAsMade().triangles) return;
   std::vector<Vec3> line;
   if (!from_.empty()) line.push_back(from_at_);

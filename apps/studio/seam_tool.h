@@ -17,6 +17,7 @@ class SeamTool : public Tool {
   void finish() override;
   void back() override;
   void cancel() override;
+  void remove() override;
   void addMarks(Marks& marks) const override;
 
  private:
@@ -31,7 +32,9 @@ class SeamTool : public Tool {
   Vec3 from_at_;      // where it was clicked, as shown, m
   std::vector<Point> points_;
   std::optional<LoopHit> loop_;
+  std::optional<int> seam_;  // under the pointer
   std::optional<Hit> cursor_;
+  std::string picked_name_;
   std::shared_ptr<const MadeGarment> of_;  // the garment that the points lie on
 };
 

@@ -107,23 +107,39 @@ bool Stage::isAt(const Vec3& point, double x, double y) const {
   return (point - camera.eye()).norm() <= seenAt(seen.x, seen.y) + kBehind;
 }
 
+std::optional<Vec3> Stage::seenOn(const std::vector<int>& line, bool is_closed, double x, double y,
+                                  double& distance) const {
+  std::optional<Vec3> nearest;
+  for (size_t i = 0; i < line.size() - (is_closed ? 0 : 1); ++i) {
+    const Vec3 a = cloth_.row(line[i]), b = cloth_.row(line[(i + 1) % line.size()]);
+    for (const Vec3& point : {a, Vec3((a + b) / 2)}) {
+      const Projected seen = project(point);
+      const double off = std::hypot(seen.x - x, seen.y - y);
+      if (seen.depth <= 0.0 || off >= distance || !isAt(point, x, y)) continue;
+      distance = off;
+      nearest = point;
+    }
+  }
+  return nearest;
+}
+
 std::optional<LoopHit> Stage::hitLoop(double x, double y) const {
   if (!hasCloth()) return std::nullopt;
   std::optional<LoopHit> nearest;
   double distance = kNearPixels;
-  for (size_t k = 0; k < made().edges.size(); ++k) {
-    const std::vector<int>& loop = made().edges[k].vertices;
-    for (size_t i = 0; i < loop.size(); ++i) {
-      const Vec3 a = cloth_.row(loop[i]), b = cloth_.row(loop[(i + 1) % loop.size()]);
-      for (const Vec3& point : {a, Vec3((a + b) / 2)}) {
-        const Projected seen = project(point);
-        const double off = std::hypot(seen.x - x, seen.y - y);
-        if (seen.depth <= 0.0 || off >= distance || !isAt(point, x, y)) continue;
-        distance = off;
-        nearest = LoopHit{static_cast<int>(k), point};
-      }
-    }
-  }
+  for (size_t k = 0; k < made().edges.size(); ++k)
+    if (const std::optional<Vec3> at = seenOn(made().edges[k].vertices, true, x, y, distance))
+      nearest = LoopHit{static_cast<int>(k), *at};
+  return nearest;
+}
+
+std::optional<int> Stage::hitSeam(double x, double y) const {
+  if (!hasCloth() || !made().input.authored) return std::nullopt;
+  std::optional<int> nearest;
+  double distance = kNearPixels;
+  const std::vector<Seam>& seams = made().input.authored->seams;
+  for (size_t k = 0; k < seams.size(); ++k)
+    if (seenOn(seams[k].vertices, seams[k].is_closed, x, y, distance)) nearest = static_cast<int>(k);
   return nearest;
 }
 

@@ -64,6 +64,8 @@ class Stage {
   std::optional<Hit> hitCloth(double x, double y) const;
   /// The boundary loop of the garment that is seen nearest to the pointer, within kNearPixels.
   std::optional<LoopHit> hitLoop(double x, double y) const;
+  /// The seam under the pointer in the same way: its number.
+  std::optional<int> hitSeam(double x, double y) const;
   /// Whether a point (as shown, m) is under the pointer: near it in the picture, and not behind what is seen there.
   bool isAt(const Vec3& point, double x, double y) const;
 
@@ -74,6 +76,9 @@ class Stage {
  private:
   /// Distance from the eye of what is seen at a pixel, m; infinite: nothing.
   double seenAt(double x, double y) const;
+  /// The place of a line of the garment's edges that is seen nearest to a pixel, and nearer than `distance` (pixels),
+  /// which becomes its own.
+  std::optional<Vec3> seenOn(const std::vector<int>& line, bool is_closed, double x, double y, double& distance) const;
 
   Triangles body_triangles_;
   Positions first_pose_, body_, cloth_;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/studio/studio.h"
@@ -40,9 +42,12 @@ class Tool {
   virtual void cancel() {}
   virtual void remove() {}
   virtual void addMarks(Marks&) const {}
+  /// A part that was picked by a click, once.
+  std::optional<Part> takePicked() { return std::exchange(picked_, std::nullopt); }
 
  protected:
   Studio& studio_;
+  std::optional<Part> picked_;
 };
 
 /// Colours of marks; the colour-blind can tell them apart (Okabe and Ito 2008).

@@ -41,6 +41,12 @@ void ViewWidget::setSelected(const std::optional<Part>& part) {
   refresh();
 }
 
+void ViewWidget::setPicked(std::shared_ptr<const PatternSheet> sheet, const SheetPick& pick) {
+  sheet_ = std::move(sheet);
+  pick_ = pick;
+  refresh();
+}
+
 void ViewWidget::showBody(bool is_shown) {
   body_is_shown_ = is_shown;
   refresh();
@@ -91,6 +97,7 @@ void ViewWidget::updateMarks() {
   Marks marks;
   if (content_ == Content::simulated) {
     addPartMarks(studio_, selected_ ? &*selected_ : nullptr, marks);
+    if (sheet_) addPatternMarks(*sheet_, pick_, studio_.stage, marks);
     if (tool_) tool_->addMarks(marks);
   }
   const LiveFrame* frame = frameShown();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "apps/studio/frame_colors.h"
+#include "apps/studio/pattern_sheet.h"
 #include "apps/studio/tool.h"
 #include "viz/live_view.h"
 
@@ -28,6 +29,8 @@ class ViewWidget : public QWidget {
   Shown shown() const { return shown_; }
   void setNavigation(Navigation navigation) { navigation_ = navigation; }
   void setSelected(const std::optional<Part>& part);
+  /// Lights on the garment what is picked in its pattern.
+  void setPicked(std::shared_ptr<const PatternSheet> sheet, const SheetPick& pick);
   void setContent(Content content) { content_ = content; }
   void keep(const LiveFrame& frame) { kept_ = frame; }
   void showBody(bool is_shown);
@@ -79,6 +82,8 @@ class ViewWidget : public QWidget {
   Shown shown_ = Shown::stretch;
   Navigation navigation_ = Navigation::clo;
   std::optional<Part> selected_;
+  std::shared_ptr<const PatternSheet> sheet_;
+  SheetPick pick_;
   std::optional<LiveFrame> kept_;
   std::shared_ptr<const MadeGarment> meshes_of_;
   bool is_stale_ = true, body_is_shown_ = true;

@@ -187,6 +187,7 @@ std::vector<DrawnPiece> drawPieces(const FlatPattern& pattern, const Allowances&
       if (mirror[q] == static_cast<int>(p)) {
         piece.quantity = 2;
         piece.mirrored = true;
+        piece.twin = static_cast<int>(q);
         piece.name += " / " + drawn[q].name;
       }
     addSeamNotches(pattern, lines[p], piece);

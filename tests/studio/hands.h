@@ -52,6 +52,18 @@ seed = [0, 1.2, 0.12]
 )";
 }
 
+/// The same with seams at sides and shoulders, which leave a front and a back.
+inline std::string sewnTop() {
+  const auto seam = [](const char* name, const char* from, const char* to, const char* point) {
+    return std::string("\n[[garment.seam]]\nname = \"") + name + "\"\nfrom = \"" + from + "\"\nto = \"" + to +
+           "\"\npoints = [" + point + "]\n";
+  };
+  return smallTop() + seam("left side", "hem", "left sleeve", "[0.13, 1.15, 0]") +
+         seam("right side", "hem", "right sleeve", "[-0.13, 1.15, 0]") +
+         seam("left shoulder", "neck", "left sleeve", "[0.17, 1.46, 0]") +
+         seam("right shoulder", "neck", "right sleeve", "[-0.17, 1.46, 0]") + "\n[pattern]\ncheck = false\n";
+}
+
 class Hands {
  public:
   explicit Hands(const std::string& text) : studio(Document(text, directory.path / "scene.toml")) {
@@ -111,6 +123,12 @@ class Hands {
         return pixel(stage.cloth().row(nearest));
       }
     return {-1.0, -1.0};
+  }
+
+  /// A vertex in the middle of a seam.
+  Pointer onSeam(size_t number) const {
+    const std::vector<int>& line = studio.stage.made().input.authored->seams[number].vertices;
+    return pixel(studio.stage.cloth().row(line[line.size() / 2]));
   }
 
   TemporaryDirectory directory;

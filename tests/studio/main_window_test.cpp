@@ -1,7 +1,13 @@
 #include "tests/studio/main_window_test.h"
 
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QMenuBar>
 #include <QProcess>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabBar>
 #include <QtTest>
 
 #include "solver/io/mesh_io.h"
@@ -16,6 +22,7 @@ void WindowTest::initTestCase() {
   text.setValue("garment", 0, "resolution", "1500");
   text.setValue("body", 0, "seconds_per_pose", "0.25");
   window_ = std::make_unique<MainWindow>(Document(text.text(), file));
+  window_->resize(1280, 800);
   window_->show();
   QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
   wait();
@@ -28,7 +35,7 @@ void WindowTest::cleanupTestCase() {
 
 void WindowTest::theWindowShowsTheBody() {
   const QImage image = window_->view().picture();
-  const QPoint chest = window_->view().pixelOf(onBody({0, 1.2, 0.12}));
+  const QPoint chest = window_->view().pixelOf(onBody({0, 1.2, 0.12})) * window_->devicePixelRatioF();
   const QColor body = image.pixelColor(chest), air = image.pixelColor(3, 3);
   QVERIFY(body.value() < air.value() - 10);
   QVERIFY(std::abs(body.red() - body.blue()) < 40);
@@ -130,7 +137,8 @@ void WindowTest::sleevesArePuffedWhileItRuns() {
   const Triangles& triangles = window_->studio().stage.clothAsMade().triangles;
   const Vec3 shown = placeOn(sleeve, window_->studio().stage.cloth(), triangles);
   const QPoint from = window_->view().pixelOf(shown);
-  const auto hit = window_->studio().stage.hitCloth(from.x(), from.y());
+  const double ratio = window_->devicePixelRatioF();
+  const auto hit = window_->studio().stage.hitCloth(ratio * from.x(), ratio * from.y());
   QVERIFY(hit.has_value());
   drag(Qt::LeftButton, from, from + QPoint(6, 14));
   QTRY_VERIFY_WITH_TIMEOUT(!window_->studio().isMaking(), 20000);
@@ -241,6 +249,44 @@ void WindowTest::aRunCanBeCancelled() {
   QTRY_VERIFY_WITH_TIMEOUT(!dialog->isRunning(), 60000);
   QVERIFY(QFile::exists(directory_.path() + "/results/dress/report.json"));
   dialog->close();
+}
+
+/// With text of one and a half times the size, the window still fits 1280 x 800 and its parts fit into it.
+void WindowTest::nothingIsCutOffAtLargeText() {
+  const QFont font = QApplication::font();
+  QFont large = font;
+  if (window_->logicalDpiX() < 120) large.setPointSizeF(1.5 * font.pointSizeF());
+  QApplication::setFont(large);
+  {
+    MainWindow window(Document::builtin((directory_.path() + "/large.toml").toStdString()));
+    window.resize(1280, 800);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QTest::qWait(100);
+    QCOMPARE(window.size(), QSize(1280, 800));
+    QVERIFY(window.view().width() >= 500);
+    for (int tool = 0; tool < 7; ++tool) {
+      window.chooseTool(static_cast<PartKind>(tool));
+      QTest::qWait(20);
+      for (const QWidget* part : window.findChildren<QWidget*>()) {
+        const auto* button = qobject_cast<const QAbstractButton*>(part);
+        const bool has_text = qobject_cast<const QLabel*>(part) || (button && !button->text().isEmpty()) ||
+                              qobject_cast<const QAbstractSpinBox*>(part) || qobject_cast<const QTabBar*>(part) ||
+                              qobject_cast<const QMenuBar*>(part);
+        if (!has_text || !part->isVisible()) continue;
+        const QSize least = part->minimumSizeHint();
+        const QByteArray name = QByteArray(part->metaObject()->className()) + " " + part->objectName().toUtf8();
+        QVERIFY2(part->width() >= least.width() && part->height() >= std::min(least.height(), part->maximumHeight()),
+                 name.constData());
+        QVERIFY2(part->objectName() != "qt_toolbar_ext_button", "a tool bar is too narrow for its buttons");
+      }
+      for (const QScrollArea* area : window.findChildren<QScrollArea*>())
+        if (area->isVisible())
+          QVERIFY2(!area->horizontalScrollBar()->isVisible(), qPrintable(area->parentWidget()->objectName()));
+    }
+    window.studio().document().save();
+  }
+  QApplication::setFont(font);
 }
 
 }  // namespace ease

@@ -25,6 +25,7 @@ class WindowTest : public WindowHands {
   void staticPicturesRepeat();
   void theSavedFileMakesTheSameGarment();
   void aRunCanBeCancelled();
+  void nothingIsCutOffAtLargeText();
   void cleanupTestCase();
 };
 }  // namespace ease

@@ -116,6 +116,25 @@ TEST_CASE("every tool edits the scene, and what it makes is what the scene says"
   CHECK(last().tools->seams.front().to == "hem");
 }
 
+TEST_CASE("a click on a seam picks it, and Del removes it") {
+  Hands hands(sewnTop());
+  INFO(hands.studio.words());
+  REQUIRE(hands.studio.stage.hasCloth());
+  hands.take(PartKind::seam);
+  hands.tool->remove();
+  CHECK(hands.studio.isRefusal());
+  hands.look(90);
+  hands.click(hands.onSeam(0));
+  const std::optional<Part> picked = hands.tool->takePicked();
+  REQUIRE(picked);
+  CHECK(picked->label == "left side");
+  CHECK_FALSE(hands.tool->takePicked());
+  hands.tool->remove();
+  hands.studio.finishWork();
+  REQUIRE(hands.studio.scene().garment.tools->seams.size() == 3);
+  CHECK(hands.studio.scene().garment.tools->seams.front().name == "right side");
+}
+
 TEST_CASE("nonsense is answered, and changes nothing") {
   Hands hands(kSmallDraft);
   Studio& studio = hands.studio;

@@ -58,6 +58,7 @@ void WindowHands::turn(double yaw_deg) {
 
 void WindowHands::key(Qt::Key key, Qt::KeyboardModifiers keys) {
   window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
   window_->view().setFocus();
   QTest::keyClick(&window_->view(), key, keys);
 }
