@@ -10,6 +10,7 @@
 #include "garment/pattern/outline_crossing.h"
 #include "garment/pattern/overlap.h"
 #include "garment/pattern/piece_names.h"
+#include "garment/pattern/slid_lines.h"
 
 namespace ease {
 namespace {
@@ -174,8 +175,9 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   const Pieces pieces = cutIntoPieces(given.mesh, seams);
   const std::vector<double> grain =
       settings.free_grain ? freeGrain(given, pieces, settings) : std::vector<double>(pieces.count, 0.0);
-  const RestGarment garment = withGrain(given, pieces, grain);
-  pattern.lines = withDarts(garment, pattern.lines, settings);
+  pattern.lines = withDarts(withGrain(given, pieces, grain), pattern.lines, settings);
+  pattern.slid = slideLines(given, pattern.lines);
+  const RestGarment garment = withGrain(pattern.slid.garment, pieces, grain);
   pattern.cut = cutGarment(garment.mesh, pattern.lines, garment.loops);
   pattern.flat = flatPieces(pattern.cut, garment.rest_edges);
   const Flattened flattened = flatten(pattern.flat, sewnPairs(pattern.cut), settings.woven);
@@ -201,11 +203,12 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   return pattern;
 }
 
-FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges,
-                         const FlatSettings& settings) {
+FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges, const FlatSettings& settings,
+                         const std::vector<double>& excess_of_triangle) {
   FlatPattern again = pattern;
   again.flat.rest_edges = rest_edges;
-  const Flattened flattened = flatten(again.flat, sewnPairs(again.cut), settings.woven, &pattern.x, pattern.shear);
+  const Flattened flattened =
+      flatten(again.flat, sewnPairs(again.cut), settings.woven, &pattern.x, pattern.shear, excess_of_triangle);
   again.x = flattened.x;
   again.mended += flattened.mended;
   again.iterations += flattened.iterations;
