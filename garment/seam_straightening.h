@@ -21,8 +21,8 @@ struct SeamLine {
 
 Vec3 nearestOn(const SeamLine& line, const Vec3& x);
 
-/// Moves the chains of the seams onto `lines`, one per seam.  `stays`: by vertex, whether it does not move at all; empty:
-/// none of them.
+/// Moves the chains of the seams onto `lines`, one per seam.  `stays`: by vertex, whether it does not move at all;
+/// empty: none of them.
 void straightenSeams(const std::vector<Seam>& seams, std::vector<SeamLine> lines, const Topology& topology,
                      TriangleMesh& mesh, const std::vector<char>& stays = {});
 

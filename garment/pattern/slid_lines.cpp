@@ -12,10 +12,11 @@
 namespace ease {
 namespace {
 
-constexpr double kThinnest = 0.25;  // of the quality that a triangle had (1: equilateral, 0: flat)
-constexpr double kThin = 0.15;      // quality that is always good enough
-constexpr double kReach = 0.02;     // m: largest distance of a slid triangle from the surface
-constexpr int kSamples = 3;         // parts of an edge: a triangle is sampled at the centroids of 9 parts
+constexpr double kThinnest = 0.25;          // of the quality that a triangle had (1: equilateral, 0: flat)
+constexpr double kThin = 0.15;              // quality that is always good enough
+constexpr double kReach = 0.02;             // m: largest distance of a slid triangle from the surface
+constexpr int kSmoothings[] = {40, 15, 5};  // passes over a chain that cannot follow the shortest way
+constexpr int kSamples = 3;                 // parts of an edge: a triangle is sampled at the centroids of 9 parts
 
 using Mat23 = Eigen::Matrix<double, 2, 3>;
 
@@ -59,6 +60,17 @@ SeamLine shortestWay(const TriangleMesh& mesh, const std::vector<CutLine>& lines
   SeamLine line{{mesh.positions.row(chain.front())}, false};
   for (const int node : *way) line.points.push_back(paths.position(node));
   line.points.push_back(mesh.positions.row(chain.back()));
+  return line;
+}
+
+/// The chain itself, its vertices moved to the middle of their neighbours and themselves so many times.
+SeamLine smoothed(const Positions& x, const std::vector<int>& chain, int passes) {
+  SeamLine line{positionsOf(chain, x), false};
+  for (int pass = 0; pass < passes; ++pass) {
+    const std::vector<Vec3> before = line.points;
+    for (size_t i = 1; i + 1 < before.size(); ++i)
+      line.points[i] = 0.25 * before[i - 1] + 0.5 * before[i] + 0.25 * before[i + 1];
+  }
   return line;
 }
 
@@ -140,13 +152,18 @@ CutUp slideLines(const RestGarment& garment, std::vector<CutLine>& lines) {
     if (lines[l].kind == LineKind::seam) continue;
     std::vector<int>& chain = lines[l].seam.vertices;
     removeDetours(neighbours, chain);
-    const SeamLine way = chain.size() > 2 ? shortestWay(mesh, lines, l) : SeamLine{{}, false};
-    if (way.points.empty()) continue;
+    if (chain.size() < 3) continue;
     const Positions before = mesh.positions;
+    std::vector<SeamLine> ways = {shortestWay(mesh, lines, l)};
+    for (const int passes : kSmoothings) ways.push_back(smoothed(before, chain, passes));
     for (size_t i = 1; i + 1 < chain.size(); ++i) stays[chain[i]] = 0;
-    straightenSeams({lines[l].seam}, {way}, topology, mesh, stays);
+    for (const SeamLine& way : ways) {
+      if (way.points.empty()) continue;
+      straightenSeams({lines[l].seam}, {way}, topology, mesh, stays);
+      if (isSound(mesh, before)) break;
+      mesh.positions = before;
+    }
     for (size_t i = 1; i + 1 < chain.size(); ++i) stays[chain[i]] = 1;
-    if (!isSound(mesh, before)) mesh.positions = before;
   }
   const UnslidCloth cloth(garment);
   std::vector<int> around(n, -1);

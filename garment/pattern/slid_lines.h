@@ -2,12 +2,12 @@
 //
 //      o---o                    A chain of edges zigzags around the line that is meant, and the two sides of a zigzag
 //     /     \   o               lie differently on the paper.  So the chain's vertices slide within the garment's
-//    o       o-/                surface onto the shortest way between its ends, and their surroundings with them
-//    -o--o--o--o-  slid         (seam_straightening.h); vertices of seams and of the garment's edge stay.  The mesh keeps
-//                               its triangles, each of which now covers other cloth:
+//    o       o-/                surface onto the shortest way between its ends, or else onto the chain itself made
+//    -o--o--o--o-  slid         smooth, and their surroundings with them (seam_straightening.h); vertices of seams and
+//                               of the garment's edge stay.  The mesh keeps its triangles, which cover other cloth:
 //
-//   D'_t = mean over points of t of (D_s E_s^+) E'_t     rest edges; D_s, E_s those at rest and in space of the triangle
-//                                                        s that the point lay in before
+//   D'_t = mean over points of t of (D_s E_s^+) E'_t     rest edges; D_s, E_s: edges at rest and in space of triangle
+//                                                        s, in which the point lay before
 #pragma once
 
 #include "garment/pattern/cut_garment.h"
