@@ -22,6 +22,10 @@ constexpr double kSoftest = 0.06;
 constexpr double kRoom = 0.85;   // of the limit of shear, up to which a piece may shear then
 constexpr double kSlowness = 4;  // shear at 99 % goes with about the fourth root of 1 / stiffness
 
+// Darts are found along the mesh's edges, whose teeth give way where a straight line does not: once the lines slid,
+// pieces may be over the limits again, and get more darts.
+constexpr int kDartRounds = 2;
+
 FlatPieces flatPieces(const CutGarment& cut, const std::vector<Mat2>& rest_edges) {
   FlatPieces flat{cut.pieces.mesh.triangles, rest_edges, {}, static_cast<int>(cut.pieces.glue.size())};
   for (int p = 0; p < cut.pieces.count; ++p) flat.outlines.push_back(outlineOf(cut, p));
@@ -175,8 +179,14 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   const Pieces pieces = cutIntoPieces(given.mesh, seams);
   const std::vector<double> grain =
       settings.free_grain ? freeGrain(given, pieces, settings) : std::vector<double>(pieces.count, 0.0);
-  pattern.lines = withDarts(withGrain(given, pieces, grain), pattern.lines, settings);
-  pattern.slid = slideLines(given, pattern.lines);
+  pattern.slid.garment = given;
+  for (int round = 0; round < kDartRounds; ++round) {
+    const size_t before = pattern.lines.size();
+    pattern.lines = withDarts(withGrain(pattern.slid.garment, pieces, grain), pattern.lines, settings);
+    if (round > 0 && pattern.lines.size() == before) break;
+    pattern.slid = slideLines(given, pattern.lines);
+    if (pattern.lines.size() == before) break;
+  }
   const RestGarment garment = withGrain(pattern.slid.garment, pieces, grain);
   pattern.cut = cutGarment(garment.mesh, pattern.lines, garment.loops);
   pattern.flat = flatPieces(pattern.cut, garment.rest_edges);
