@@ -220,6 +220,7 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
       made.flat = flattenGarment(garment, settings);
       checkAllowanceNames(scene.pattern.allowances, made.flat.cut);
       made.file_vertex = fileVertices(input, made.flat.cut.pieces.glue);
+      cutInput(made.flat.slid, input, rest);
       drawPattern(scene, made);
     });
     made.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();

@@ -106,6 +106,15 @@ Json figuresOf(const Scene& scene, const MadePattern& made) {
   return json;
 }
 
+/// Vertices of the garment that were not there before, as means of those that were.
+Json verticesJson(const CutUp& cut) {
+  Json json = Json::array();
+  for (size_t v = 0; v < cut.vertices.size(); ++v)
+    if (const CutVertex& at = cut.vertices[v]; at.share[0] != 1.0)
+      json.push_back({{"garment_vertex", v}, {"of", at.from}, {"share", {at.share[0], at.share[1], at.share[2]}}});
+  return json;
+}
+
 Json pointsJson(const std::vector<PaperPoint>& points) {
   Json json = Json::array();
   for (const PaperPoint& p : points) json.push_back({std::round(1e3 * p.x()) / 1e3, std::round(1e3 * p.y()) / 1e3});
@@ -118,13 +127,8 @@ std::string patternJson(const Scene& scene, const MadePattern& made) {
   const FlatPattern& flat = made.flat;
   Json json = {{"scene", scene.name}, {"version", EASE_VERSION}, {"units", "mm"}, {"grain", "along y"}};
   json.update(figuresOf(scene, made));
-  if (made.cuts) {  // vertices of the garment that were not those of its file, as means of those
-    json["cut_vertices"] = Json::array();
-    for (size_t v = 0; v < made.cuts->cut.vertices.size(); ++v)
-      if (const CutVertex& at = made.cuts->cut.vertices[v]; at.share[0] != 1.0)
-        json["cut_vertices"].push_back(
-            {{"garment_vertex", v}, {"of", at.from}, {"share", {at.share[0], at.share[1], at.share[2]}}});
-  }
+  if (made.cuts) json["cut_vertices"] = verticesJson(made.cuts->cut);
+  json["slid_vertices"] = verticesJson(flat.slid);
   json["outlines"] = Json::array();
   for (const DrawnPiece& piece : made.sheet.pieces) {
     Json edges = Json::array();

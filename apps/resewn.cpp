@@ -13,7 +13,11 @@ namespace ease {
 
 namespace {
 
-constexpr double kExcess = 0.1;  // weight of cloth that is larger on the paper than asked for, while it is let out
+constexpr double kExcess = 0.1;  // weight of cloth that is larger on the paper than asked for, where it is let out
+constexpr int kFollowing = 2;    // rings of triangles around those that are let out, which may follow them
+// Limit that the demand is for, over the garment's: so cloth is let out from 0.96 of the limit on, until it is
+// stretched by 0.72 of it (growth_demand.h).
+constexpr double kLetOut = 1.2;
 
 /// Where the garment was in the poses, and how far over the limit.
 struct Replayed {
@@ -102,6 +106,23 @@ double clothArea(const FlatPattern& pattern) {
   return area;
 }
 
+/// Weights of cloth that is too large (flattening.h): little where triangles grew and around them.
+void loosen(const Triangles& triangles, const std::vector<Mat2>& before, const std::vector<Mat2>& grown,
+            std::vector<double>& excess) {
+  std::vector<char> is_loose(before.size(), 0);
+  for (size_t t = 0; t < before.size(); ++t) is_loose[t] = !grown[t].isApprox(before[t], 1e-9);
+  for (int ring = 0; ring < kFollowing; ++ring) {
+    std::vector<char> touched(triangles.maxCoeff() + 1, 0);
+    for (size_t t = 0; t < is_loose.size(); ++t)
+      for (int k = 0; is_loose[t] && k < 3; ++k) touched[triangles(static_cast<int>(t), k)] = 1;
+    for (size_t t = 0; t < is_loose.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (touched[triangles(static_cast<int>(t), k)]) is_loose[t] = 1;
+  }
+  for (size_t t = 0; t < is_loose.size(); ++t)
+    if (is_loose[t]) excess[t] = kExcess;
+}
+
 /// Compares what both garments did.
 void compare(const Scene& scene, const SceneInput& input, const FlatPattern& pattern, const Replayed& designed,
              const Replayed& sewn, Resewn& result) {
@@ -141,20 +162,21 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
   };
   const Replayed as_designed = replay.of(numbered(designed.edges), nullptr);
   result.has_limit = scene.adaption.has_value();
-  GrowthDemand demand(scene.adaption ? scene.adaption->limit : 0.1);
+  GrowthDemand demand(kLetOut * (scene.adaption ? scene.adaption->limit : 0.1));
   Replayed as_sewn = replay.of(numbered(sewnEdges(pattern)), result.has_limit ? &demand : nullptr);
   compare(scene, input, pattern, as_designed, as_sewn, result);
   result.wall_s = wall();
   if (!result.has_limit) return result;
   const double wanted = std::max(scene.adaption->fit.target, as_designed.over_limit);
   const double first_area = clothArea(pattern);
-  FlatSettings loose = settings;
-  loose.woven.excess = kExcess;
+  std::vector<double> excess(designed.edges.size(), settings.woven.excess);
   FlatPattern trial = pattern;
   for (int round = 1; round <= scene.pattern.let_out && as_sewn.over_limit > wanted; ++round) {
     replay.cloth().setRest(numbered(sewnEdges(trial)));
     if (!demand.letOut(replay.cloth())) break;
-    trial = flattenAgain(trial, restored(replay.cloth().restEdges(), numbering.garment.triangles), loose);
+    const std::vector<Mat2> grown = restored(replay.cloth().restEdges(), numbering.garment.triangles);
+    loosen(input.garment.triangles, sewnEdges(trial), grown, excess);
+    trial = flattenAgain(trial, grown, settings, excess);
     as_sewn = replay.of(numbered(sewnEdges(trial)), &demand);
     if (as_sewn.over_limit >= result.over_limit) continue;
     pattern = trial;

@@ -6,7 +6,9 @@
 // through the whole motion.
 //
 // Where the sewn garment is over the limit and the designed one is not, pieces are let out on the paper: the flat
-// triangles grow as the motion asks for (adaption/growth_demand.h), are flattened again, and checked again.
+// triangles grow as the motion asks for (adaption/growth_demand.h), are flattened again, and checked again.  Only these
+// triangles and those around them may become larger nearly without cost (flattening.h), so that the rest of the pieces
+// stays as it is.
 #pragma once
 
 #include <atomic>

@@ -64,7 +64,7 @@ class SeamFinder {
         seam.vertices.insert(seam.vertices.end(), part.begin(), part.end() - 1);
       }
     }
-    shorten(seam);
+    removeDetours(neighbours_, seam.vertices);
     if (seam.vertices.size() < (seam.is_closed ? 3U : 2U)) refuse(name, "too short for the size of the triangles");
     return seam;
   }
@@ -199,20 +199,6 @@ class SeamFinder {
     while (chain.back() != from) chain.push_back(before[chain.back()]);
     std::reverse(chain.begin(), chain.end());
     return chain;
-  }
-
-  /// Removes vertices whose two neighbours in the chain share an edge: straightening the chain would flatten the
-  /// triangle of the three.
-  void shorten(Seam& seam) const {
-    std::vector<int>& chain = seam.vertices;
-    for (size_t i = 1; i + 1 < chain.size();) {
-      const std::vector<int>& around = neighbours_[chain[i - 1]];
-      if (std::find(around.begin(), around.end(), chain[i + 1]) != around.end()) {
-        chain.erase(chain.begin() + static_cast<long>(i));
-      } else {
-        ++i;
-      }
-    }
   }
 
   const LoopedMesh& garment_;

@@ -46,10 +46,10 @@ std::vector<int> ringsFromChains(const Motion& motion, const std::vector<std::ve
 }
 
 Motion planMotion(const std::vector<Seam>& seams, const std::vector<Seam>& loops, const Topology& topology,
-                  size_t vertices) {
+                  std::vector<char> stays) {
+  const size_t vertices = stays.size();
   const std::vector<std::vector<int>> neighbours = vertexNeighbours(topology, static_cast<int>(vertices));
   Motion motion{neighbours, std::vector<int>(vertices, -1)};
-  std::vector<char> stays(vertices, 0);
   for (size_t s = 0; s < seams.size(); ++s) leadChain(seams[s], static_cast<int>(s), motion, stays);
   const std::vector<int> ring = ringsFromChains(motion, neighbours);
   for (size_t l = 0; l < loops.size(); ++l)
@@ -89,7 +89,7 @@ Vec3 nearestOn(const SeamLine& line, const Vec3& x) {
 }
 
 void straightenSeams(const std::vector<Seam>& seams, std::vector<SeamLine> lines, const Topology& topology,
-                     TriangleMesh& mesh) {
+                     TriangleMesh& mesh, const std::vector<char>& stays) {
   const int n = static_cast<int>(mesh.positions.rows());
   const TriangleTree surface(mesh.positions, mesh.triangles);
   std::vector<Seam> loops;
@@ -97,7 +97,7 @@ void straightenSeams(const std::vector<Seam>& seams, std::vector<SeamLine> lines
     loops.push_back({"", loop, true});
     lines.push_back({positionsOf(loop, mesh.positions), true});
   }
-  const Motion motion = planMotion(seams, loops, topology, n);
+  const Motion motion = planMotion(seams, loops, topology, stays.empty() ? std::vector<char>(n, 0) : stays);
   moveEnds(seams, lines, motion, mesh.positions);
   std::vector<int> hint(n, -1);
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -113,6 +113,16 @@ void straightenSeams(const std::vector<Seam>& seams, std::vector<SeamLine> lines
       hint[v] = on_surface.triangle;
       if (on_surface.triangle >= 0) mesh.positions.row(v) = on_surface.point;
     });
+  }
+}
+
+void removeDetours(const std::vector<std::vector<int>>& neighbours, std::vector<int>& chain) {
+  for (size_t i = 1; i + 1 < chain.size();) {
+    const std::vector<int>& around = neighbours[chain[i - 1]];
+    if (std::find(around.begin(), around.end(), chain[i + 1]) != around.end())
+      chain.erase(chain.begin() + static_cast<long>(i));
+    else
+      ++i;
   }
 }
 

@@ -21,8 +21,13 @@ struct SeamLine {
 
 Vec3 nearestOn(const SeamLine& line, const Vec3& x);
 
-/// Moves the chains of the seams onto `lines`, one per seam.
+/// Moves the chains of the seams onto `lines`, one per seam.  `stays`: by vertex, whether it does not move at all;
+/// empty: none of them.
 void straightenSeams(const std::vector<Seam>& seams, std::vector<SeamLine> lines, const Topology& topology,
-                     TriangleMesh& mesh);
+                     TriangleMesh& mesh, const std::vector<char>& stays = {});
+
+/// Removes vertices whose two neighbours in the chain share an edge: straightening the chain would flatten the triangle
+/// of the three.  `neighbours`: of every vertex of the mesh.
+void removeDetours(const std::vector<std::vector<int>>& neighbours, std::vector<int>& chain);
 
 }  // namespace ease

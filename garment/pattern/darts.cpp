@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "garment/pattern/dart_trial.h"
 #include "garment/pattern/dart_ways.h"
@@ -27,12 +28,23 @@ constexpr int kRefused = 4;       // best candidates that are flattened further 
 /// The darts of one piece, found one after the other.
 class DartSearch {
  public:
-  DartSearch(const PieceMesh& part, const FlatSettings& settings, const std::vector<std::vector<Vec3>>& others)
-      : part_(part), settings_(settings), edges_(part), others_(others), taken_(part.mesh.positions.rows(), 0) {}
+  DartSearch(const PieceMesh& part, const FlatSettings& settings, const std::vector<std::vector<Vec3>>& others,
+             const std::vector<Seam>& darts)
+      : part_(part),
+        settings_(settings),
+        edges_(part),
+        others_(others),
+        taken_(part.mesh.positions.rows(), 0),
+        darts_(darts) {
+    for (const Seam& dart : darts)
+      for (const int v : dart.vertices) taken_[v] = 1;
+  }
 
+  /// Finds at most so many darts more, and returns all.
   std::vector<Seam> run(int most) {
-    keep(flattenPart(part_, {}, settings_, kIterations));
-    while (static_cast<int>(darts_.size()) < most && !keeps(now_.strain, settings_.limits)) {
+    const size_t before = darts_.size();
+    keep(flattenPart(part_, darts_, settings_, kIterations));
+    while (darts_.size() < before + static_cast<size_t>(most) && !keeps(now_.strain, settings_.limits)) {
       std::vector<Attempt> attempts = attempted(candidatesNow());
       if (attempts.empty()) break;
       const std::vector<Attempt> finer = attempted(candidatesNear(attempts.front().dart.vertices.back()));
@@ -210,32 +222,43 @@ class DartSearch {
   Trial now_;  // with these darts
 };
 
+/// The darts that lie on a part, by its own vertices.
+std::vector<Seam> within(const PieceMesh& part, const std::vector<Seam>& darts) {
+  std::map<int, int> number;
+  for (size_t v = 0; v < part.garment_vertex.size(); ++v) number.emplace(part.garment_vertex[v], static_cast<int>(v));
+  std::vector<Seam> own;
+  for (Seam dart : darts) {
+    if (!number.contains(dart.vertices.back())) continue;  // its tip; its mouth may lie on a seam between two parts
+    for (int& v : dart.vertices) v = number.at(v);
+    own.push_back(dart);
+  }
+  return own;
+}
+
 }  // namespace
 
 std::vector<CutLine> withDarts(const RestGarment& garment, const std::vector<CutLine>& lines,
                                const FlatSettings& settings) {
   std::vector<CutLine> all = lines;
   if (settings.max_darts == 0) return all;
-  std::vector<Seam> seams;
-  for (const CutLine& line : lines) seams.push_back(line.seam);
-  const Pieces pieces = cutIntoPieces(garment.mesh, seams);
+  std::vector<Seam> seams, given;
   std::vector<std::vector<Vec3>> places;  // of the darts so far
-  int count = 0;
+  for (const CutLine& line : lines) {
+    (line.kind == LineKind::dart ? given : seams).push_back(line.seam);
+    if (line.kind == LineKind::dart) places.push_back(positionsOf(line.seam.vertices, garment.mesh.positions));
+  }
+  const Pieces pieces = cutIntoPieces(garment.mesh, seams);
+  int count = static_cast<int>(given.size());
   for (int p = 0; p < pieces.count; ++p) {
     const PieceMesh part = partOf(garment, pieces, p);
-    DartSearch search(part, settings, places);
-    std::vector<std::vector<Vec3>> found;
-    for (Seam dart : search.run(settings.max_darts - count)) {
-      std::vector<Vec3> points;
-      for (int& v : dart.vertices) {
-        v = part.garment_vertex[v];
-        points.push_back(garment.mesh.positions.row(v));
-      }
-      dart.name = fmt::format("dart {}", ++count);
-      all.push_back({dart, LineKind::dart});
-      found.push_back(points);
+    const std::vector<Seam> own = within(part, given);
+    std::vector<Seam> darts = DartSearch(part, settings, places, own).run(settings.max_darts - count);
+    for (size_t d = own.size(); d < darts.size(); ++d) {
+      for (int& v : darts[d].vertices) v = part.garment_vertex[v];
+      darts[d].name = fmt::format("dart {}", ++count);
+      all.push_back({darts[d], LineKind::dart});
+      places.push_back(positionsOf(darts[d].vertices, garment.mesh.positions));
     }
-    places.insert(places.end(), found.begin(), found.end());
   }
   return all;
 }

@@ -13,7 +13,7 @@
 
 namespace ease {
 
-/// The lines, and darts where pieces are over the limits; at most settings.max_darts.
+/// The lines, and darts where pieces are over the limits; at most settings.max_darts with those that are there.
 std::vector<CutLine> withDarts(const RestGarment& garment, const std::vector<CutLine>& lines,
                                const FlatSettings& settings);
 

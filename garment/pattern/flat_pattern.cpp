@@ -10,6 +10,7 @@
 #include "garment/pattern/outline_crossing.h"
 #include "garment/pattern/overlap.h"
 #include "garment/pattern/piece_names.h"
+#include "garment/pattern/slid_lines.h"
 
 namespace ease {
 namespace {
@@ -20,6 +21,10 @@ namespace {
 constexpr double kSoftest = 0.06;
 constexpr double kRoom = 0.85;   // of the limit of shear, up to which a piece may shear then
 constexpr double kSlowness = 4;  // shear at 99 % goes with about the fourth root of 1 / stiffness
+
+// Darts are found along the mesh's edges, whose teeth give way where a straight line does not: once the lines slid,
+// pieces may be over the limits again, and get more darts.
+constexpr int kDartRounds = 2;
 
 FlatPieces flatPieces(const CutGarment& cut, const std::vector<Mat2>& rest_edges) {
   FlatPieces flat{cut.pieces.mesh.triangles, rest_edges, {}, static_cast<int>(cut.pieces.glue.size())};
@@ -174,8 +179,15 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   const Pieces pieces = cutIntoPieces(given.mesh, seams);
   const std::vector<double> grain =
       settings.free_grain ? freeGrain(given, pieces, settings) : std::vector<double>(pieces.count, 0.0);
-  const RestGarment garment = withGrain(given, pieces, grain);
-  pattern.lines = withDarts(garment, pattern.lines, settings);
+  pattern.slid.garment = given;
+  for (int round = 0; round < kDartRounds; ++round) {
+    const size_t before = pattern.lines.size();
+    pattern.lines = withDarts(withGrain(pattern.slid.garment, pieces, grain), pattern.lines, settings);
+    if (round > 0 && pattern.lines.size() == before) break;
+    pattern.slid = slideLines(given, pattern.lines);
+    if (pattern.lines.size() == before) break;
+  }
+  const RestGarment garment = withGrain(pattern.slid.garment, pieces, grain);
   pattern.cut = cutGarment(garment.mesh, pattern.lines, garment.loops);
   pattern.flat = flatPieces(pattern.cut, garment.rest_edges);
   const Flattened flattened = flatten(pattern.flat, sewnPairs(pattern.cut), settings.woven);
@@ -201,11 +213,12 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   return pattern;
 }
 
-FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges,
-                         const FlatSettings& settings) {
+FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges, const FlatSettings& settings,
+                         const std::vector<double>& excess_of_triangle) {
   FlatPattern again = pattern;
   again.flat.rest_edges = rest_edges;
-  const Flattened flattened = flatten(again.flat, sewnPairs(again.cut), settings.woven, &pattern.x, pattern.shear);
+  const Flattened flattened =
+      flatten(again.flat, sewnPairs(again.cut), settings.woven, &pattern.x, pattern.shear, excess_of_triangle);
   again.x = flattened.x;
   again.mended += flattened.mended;
   again.iterations += flattened.iterations;

@@ -14,17 +14,10 @@
 
 #include "garment/pattern/cut_garment.h"
 #include "garment/pattern/flattening.h"
+#include "garment/pattern/rest_garment.h"
 #include "garment/pattern/thread_strain.h"
 
 namespace ease {
-
-/// A garment at rest, as a mesh and as the flat triangles that it consists of.
-struct RestGarment {
-  TriangleMesh mesh;             // in space, m; tells front from back, not how long anything is
-  std::vector<Mat2> rest_edges;  // of every triangle, m; rows: warp and weft
-  std::vector<Seam> seams;
-  std::vector<NamedLoop> loops;
-};
 
 /// A name for the piece nearest to a point, m.
 struct PieceName {
@@ -60,6 +53,7 @@ struct SeamSides {
 
 struct FlatPattern {
   std::vector<CutLine> lines;
+  CutUp slid;  // the garment whose pieces these are, with its own grain
   CutGarment cut;
   FlatPieces flat;
   Positions x;  // of the cut mesh's vertices in the plane: (warp, weft, 0), m
@@ -81,8 +75,10 @@ FlatPattern flattenGarment(const RestGarment& garment, const FlatSettings& setti
 /// The stiffness in shear that spares the threads of a piece with this strain and keeps it below the limit of shear.
 double softerShear(const StrainSummary& strain, const FlatSettings& settings);
 
-/// Flattens the same pieces for another rest shape, from where they are.  Their strain stays that of the first one.
-FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges, const FlatSettings& settings);
+/// Flattens the same pieces for another rest shape, from where they are, with a weight of cloth that is too large for
+/// every triangle.  Their strain stays that of the first one.
+FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges, const FlatSettings& settings,
+                         const std::vector<double>& excess_of_triangle = {});
 
 /// Flat edges of the garment's triangles if it is sewn from these pieces, m: what its rest shape is then.
 std::vector<Mat2> sewnEdges(const FlatPattern& pattern);

@@ -19,11 +19,12 @@ constexpr int kGrain = 128;     // triangles for a task
 class Alternation {
  public:
   Alternation(const FlatPieces& pieces, const std::vector<SewnPair>& pairs, const std::vector<WovenSettings>& of_piece,
-              const std::vector<int>& piece_of_vertex)
+              const std::vector<int>& piece_of_vertex, const std::vector<double>& excess_of_triangle)
       : pieces_(pieces),
         pairs_(pairs),
         of_piece_(of_piece),
         piece_of_vertex_(piece_of_vertex),
+        excess_of_triangle_(excess_of_triangle),
         system_(pieces.vertices, pieces.triangles),
         targets_(pieces.rest_edges.size(), Mat32::Zero()),
         bond_targets_(2 * pairs.size()),
@@ -45,7 +46,11 @@ class Alternation {
   }
 
   const std::vector<Mat2>& restInverse() const { return rest_inverse_; }
-  const WovenSettings& settingsOf(int t) const { return of_piece_[piece_of_vertex_[pieces_.triangles(t, 0)]]; }
+  WovenSettings settingsOf(int t) const {
+    WovenSettings settings = of_piece_[piece_of_vertex_[pieces_.triangles(t, 0)]];
+    if (!excess_of_triangle_.empty()) settings.excess = excess_of_triangle_[t];
+    return settings;
+  }
 
   /// One local and one global step; returns the largest move of a vertex, m.
   double step(Positions& x) {
@@ -70,6 +75,7 @@ class Alternation {
   const std::vector<SewnPair>& pairs_;
   const std::vector<WovenSettings>& of_piece_;
   const std::vector<int>& piece_of_vertex_;
+  const std::vector<double>& excess_of_triangle_;
   GradientSystem system_;
   std::vector<Mat2> rest_inverse_;
   std::vector<Mat32> targets_;
@@ -81,13 +87,14 @@ class Alternation {
 }  // namespace
 
 Flattened flatten(const FlatPieces& pieces, const std::vector<SewnPair>& pairs, const WovenSettings& settings,
-                  const Positions* start, const std::vector<double>& shear_of_piece) {
+                  const Positions* start, const std::vector<double>& shear_of_piece,
+                  const std::vector<double>& excess_of_triangle) {
   Flattened flat;
   flat.x = start ? *start : conformalStart(pieces);
   const std::vector<int> piece = pieceOfVertex(pieces);
   std::vector<WovenSettings> of_piece(pieces.outlines.size(), settings);
   for (size_t p = 0; p < shear_of_piece.size(); ++p) of_piece[p].shear = shear_of_piece[p];
-  Alternation alternation(pieces, pairs, of_piece, piece);
+  Alternation alternation(pieces, pairs, of_piece, piece, excess_of_triangle);
   const auto iterate = [&](int most) {
     for (int i = 0; i < most; ++i) {
       if (i % kTurnEvery == 0) turnToGrain(pieces, alternation.restInverse(), piece, flat.x);

@@ -54,8 +54,10 @@ struct Flattened {
 };
 
 /// Flattens all pieces together.  `start`: positions to begin from; null: conformal ones.  `shear_of_piece`: a
-/// stiffness in shear for every piece; empty: that of the settings.
+/// stiffness in shear for every piece; `excess_of_triangle`: a weight of cloth that is too large for every triangle;
+/// empty: those of the settings.
 Flattened flatten(const FlatPieces& pieces, const std::vector<SewnPair>& pairs, const WovenSettings& settings,
-                  const Positions* start = nullptr, const std::vector<double>& shear_of_piece = {});
+                  const Positions* start = nullptr, const std::vector<double>& shear_of_piece = {},
+                  const std::vector<double>& excess_of_triangle = {});
 
 }  // namespace ease

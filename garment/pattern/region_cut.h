@@ -15,19 +15,6 @@
 
 namespace ease {
 
-/// A vertex of the cut garment as a mean of vertices of the uncut one.
-struct CutVertex {
-  std::array<int, 3> from;
-  Vec3 share;
-};
-
-/// A garment whose seams run along edges that it did not have before.
-struct CutUp {
-  RestGarment garment;
-  std::vector<CutVertex> vertices;  // the uncut garment's come first
-  std::vector<int> source;          // of every triangle: the uncut triangle that it is a part of
-};
-
 /// Cuts along the lines of the map, which belongs to the surface of `pieces`: the garment cut along its seams.
 CutUp cutAlongRegions(const RestGarment& garment, const Pieces& pieces, const RestSurface& surface,
                       const RegionMap& map);

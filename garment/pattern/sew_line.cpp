@@ -8,15 +8,13 @@
 namespace ease {
 namespace {
 
-constexpr double kMillimetres = 1000.0;   // in a metre
-constexpr int kSmoothings = 4;            // of an edge
-constexpr double kCorner = 40.0;          // degrees: sharper bends are corners and stay
-constexpr size_t kBend = 3;               // points on either side by which a bend is measured
-constexpr int kSmoothingsOfOpening = 60;  // of a line along edges of the mesh
-constexpr int kSmoothingsOfDart = 15;     // of a leg that is not straight
-constexpr double kUneven = 3.0;           // mm: legs are straight that are then equally long up to that
-constexpr double kAlike = 2.0;            // mm: how far mirror images may differ
-constexpr int kSamples = 200;             // points along an outline that are compared
+constexpr double kMillimetres = 1000.0;  // in a metre
+constexpr int kSmoothings = 4;           // of an edge
+constexpr double kCorner = 40.0;         // degrees: sharper bends are corners and stay
+constexpr size_t kBend = 3;              // points on either side by which a bend is measured
+constexpr double kStraight = 2.0;        // mm: legs of a dart are drawn straight that bend no further
+constexpr double kAlike = 2.0;           // mm: how far mirror images may differ
+constexpr int kSamples = 200;            // points along an outline that are compared
 
 /// Whether the line bends sharply at point i.
 bool isCorner(const std::vector<PaperPoint>& points, size_t i) {
@@ -45,17 +43,27 @@ std::vector<std::vector<PaperPoint>> smoothEdges(const FlatPattern& pattern) {
     for (size_t i = 0; i < points[e].size(); ++i) corners[e].push_back(isCorner(points[e], i) ? 1 : 0);
   }
   for (size_t e = 0; e < edges.size(); ++e) {
-    const bool is_zigzag = edges[e].kind == LineKind::opened;
     std::vector<char> stays(points[e].size(), 0);
-    for (size_t i = 0; i < stays.size() && !is_zigzag; ++i)  // on both sides or on none
+    for (size_t i = 0; i < stays.size(); ++i)  // on both sides or on none
       stays[i] = corners[e][i] && (edges[e].partner < 0 || corners[edges[e].partner][stays.size() - 1 - i]);
-    smooth(is_zigzag ? kSmoothingsOfOpening : kSmoothings, stays, points[e]);
+    smooth(kSmoothings, stays, points[e]);
   }
   return points;
 }
 
+/// How far a line bends away from the straight one between its ends, mm.
+double bendOf(const std::vector<PaperPoint>& points) {
+  const PaperPoint along = (points.back() - points.front()).normalized();
+  double bend = 0.0;
+  for (const PaperPoint& p : points) {
+    const PaperPoint x = p - points.front();
+    bend = std::max(bend, std::abs(along.x() * x.y() - along.y() * x.x()));
+  }
+  return bend;
+}
+
 /// Begins the line with an edge that is not the second leg of a dart, and draws legs straight from mouth to tip where
-/// both are then nearly equally long; a dart that bends stays bent.
+/// both hardly bend.
 void straightenDarts(const CutGarment& cut, SewLine& line) {
   const int last = line.numbers.back();
   if (line.edges.front().is_dart && cut.edges[line.numbers.front()].partner == last) {
@@ -65,13 +73,8 @@ void straightenDarts(const CutGarment& cut, SewLine& line) {
   for (size_t i = 0; i + 1 < line.edges.size(); ++i) {
     SewnEdge &leg = line.edges[i], &back = line.edges[i + 1];
     if (!leg.is_dart || cut.edges[line.numbers[i]].partner != line.numbers[i + 1]) continue;
-    const auto straight = [](const SewnEdge& edge) { return (edge.points.back() - edge.points.front()).norm(); };
-    const bool is_straight = std::abs(straight(leg) - straight(back)) < kUneven;
-    for (SewnEdge* edge : {&leg, &back})
-      if (is_straight)
-        edge->points = {edge->points.front(), edge->points.back()};
-      else
-        smooth(kSmoothingsOfDart, std::vector<char>(edge->points.size(), 0), edge->points);
+    if (std::max(bendOf(leg.points), bendOf(back.points)) < kStraight)
+      for (SewnEdge* edge : {&leg, &back}) edge->points = {edge->points.front(), edge->points.back()};
     ++i;
   }
 }

@@ -6,9 +6,8 @@
 
 namespace ease {
 
-/// A piece's edges as they are drawn.  Legs of darts are straight, but for darts that bend.  Every other edge is
-/// smoothed over about 2 cm, the same way on both sides of a seam, and lines that were cut to open a piece, which
-/// zigzag along edges of the mesh, over more.  Both sides of a seam are equally long (equal_sides.h).
+/// A piece's edges as they are drawn: smoothed over about 2 cm, the same way on both sides of a seam.  Legs of darts
+/// that bend by less than 2 mm are straight.  Both sides of a seam are equally long (equal_sides.h).
 struct SewLine {
   std::vector<SewnEdge> edges;  // in the order of CutGarment::outlines
   std::vector<int> numbers;     // of CutGarment::edges

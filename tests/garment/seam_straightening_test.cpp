@@ -115,3 +115,19 @@ TEST_CASE("a closed seam goes onto a closed line") {
   for (const int v : seam.vertices)
     CHECK((mesh.positions.row(v) - Eigen::RowVector3d(0.5, 0.5, 0.0)).norm() == Approx(0.1).epsilon(1e-3));
 }
+
+TEST_CASE("a vertex that is to stay does") {
+  TriangleMesh mesh = kSheet;
+  std::vector<char> stays(mesh.positions.rows(), 0);
+  for (const int v : {vertex(6, 3), vertex(7, 6)}) stays[v] = 1;
+  straightenSeams({column(6)}, {kUpright}, buildTopology(kSheet, "sheet"), mesh, stays);
+  for (const int v : {vertex(6, 3), vertex(7, 6)}) CHECK(mesh.positions.row(v) == kSheet.positions.row(v));
+  CHECK(mesh.positions.row(vertex(6, 6)) != kSheet.positions.row(vertex(6, 6)));
+}
+
+TEST_CASE("a chain loses the vertices where it makes a detour around one triangle") {
+  const std::vector<std::vector<int>> neighbours = {{1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 4}, {3}};
+  std::vector<int> chain = {0, 1, 2, 3, 4};
+  removeDetours(neighbours, chain);
+  CHECK(chain == std::vector<int>{0, 2, 3, 4});
+}

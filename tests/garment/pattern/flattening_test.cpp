@@ -131,6 +131,35 @@ TEST_CASE("a piece that is let out is hardly smaller than the garment anywhere, 
   CHECK(loose_area > 1.01 * area);
 }
 
+TEST_CASE("cloth that may become too large does so, and only there") {
+  const RestGarment sheet = restGarment(bentSheet(20, 0.5, [](double, double) { return 0.0; }));
+  FlatSettings settings;
+  settings.max_darts = 0;
+  const FlatPattern pattern = flattenGarment(sheet, settings);
+  const auto middle = [](size_t t, int reach) {  // of the 20 x 20 cells, two triangles each
+    const int cell = static_cast<int>(t) / 2, i = cell % 20 - 10, j = cell / 20 - 10;
+    return std::max(std::abs(i), std::abs(j)) < reach;
+  };
+  std::vector<Mat2> grown = sheet.rest_edges;
+  std::vector<double> excess(grown.size(), 1.0);
+  for (size_t t = 0; t < grown.size(); ++t) {
+    if (middle(t, 3)) grown[t] *= 1.05;
+    if (middle(t, 6)) excess[t] = 0.1;
+  }
+  const auto area = [&](const FlatPattern& of, int from, int to) {
+    const std::vector<Mat2> sewn = sewnEdges(of);
+    double sum = 0.0;
+    for (size_t t = 0; t < sewn.size(); ++t)
+      if (middle(t, to) && !middle(t, from)) sum += 0.5 * sewn[t].determinant();
+    return sum;
+  };
+  const FlatPattern stiff = flattenAgain(pattern, grown, settings),
+                    loose = flattenAgain(pattern, grown, settings, excess);
+  CHECK(area(loose, 0, 3) > 1.002 * area(stiff, 0, 3));
+  CHECK(area(loose, 3, 6) > area(stiff, 3, 6));
+  CHECK(flattenAgain(pattern, grown, settings, std::vector<double>(grown.size(), 1.0)).x == stiff.x);
+}
+
 TEST_CASE("the garment sewn from flat pieces has the same rest shape where these lie flat without strain") {
   const RestGarment sheet = restGarment(bentSheet(6, 0.5, [](double, double) { return 0.0; }));
   const FlatPattern pattern = flattenGarment(sheet, exactSettings());

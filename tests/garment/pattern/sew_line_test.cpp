@@ -1,11 +1,27 @@
 #include "garment/pattern/sew_line.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/garment/pattern/programs.h"
 #include "tests/garment/pattern/shapes.h"
 
 using namespace ease;
+
+namespace {
+
+/// Distance of a point from a line, mm.
+double distanceTo(const std::vector<PaperPoint>& line, const PaperPoint& x) {
+  double least = 1e9;
+  for (size_t i = 0; i + 1 < line.size(); ++i) {
+    const PaperPoint ab = line[i + 1] - line[i];
+    const double along = std::clamp(ab.dot(x - line[i]) / ab.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (line[i] + along * ab - x).norm());
+  }
+  return least;
+}
+
+}  // namespace
 
 TEST_CASE("a piece and its mirror image are one piece, to be cut twice") {
   DrawnPiece left = plainPiece("left"), other = plainPiece("other", 150.0);
@@ -30,4 +46,23 @@ TEST_CASE("legs of a dart are drawn straight and equally long") {
     }
   REQUIRE(legs.size() == 2);
   CHECK(legs[0] == Approx(legs[1]).margin(2e-3));
+}
+
+TEST_CASE("darts are drawn where the triangles that are sewn again end") {
+  const RestGarment bowl = restGarment(bentSheet(24, 0.5, [](double x, double y) { return 1.6 * (x * x + y * y); }));
+  FlatSettings settings;
+  settings.limits.thread = 0.03;
+  settings.max_darts = 2;
+  const FlatPattern pattern = flattenGarment(bowl, settings);
+  int legs = 0;
+  for (const SewLine& line : sewLines(pattern, Allowances()))
+    for (size_t i = 0; i < line.edges.size(); ++i) {
+      if (!line.edges[i].is_dart) continue;
+      ++legs;
+      const PieceEdge& edge = pattern.cut.edges[line.numbers[i]];
+      const Eigen::Matrix2d axes = paperAxes(pattern, edge.piece);
+      for (const int v : edge.vertices)
+        CHECK(distanceTo(line.edges[i].points, axes * pattern.x.row(v).head<2>().transpose()) < 3.0);
+    }
+  CHECK(legs >= 2);
 }
