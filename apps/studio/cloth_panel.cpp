@@ -30,6 +30,7 @@ const std::vector<ClothPanel::Entry>& ClothPanel::entries() {
 
 ClothPanel::ClothPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
   auto* form = new QFormLayout(this);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   for (const Entry& entry : entries()) {
     auto* box = new QDoubleSpinBox;
     box->setObjectName(entry.name);

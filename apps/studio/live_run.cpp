@@ -19,7 +19,7 @@ constexpr double kBeyondComfort = 0.025;  // m: width beyond the comfort offset 
 constexpr double kRoomForComfort = 0.02;  // m: comfort offset up to which the body need not be made anew
 constexpr double kEnoughTied = 0.3;       // share of the new vertices on the old mesh; with fewer it is another garment
 constexpr double kUsualLimit = 0.1;
-constexpr int kPaintIterations = 40;  // they move vertices by less than .1 mm by then; starting over makes them all
+constexpr int kPaintIterations = 60;  // they move vertices by less than .1 mm by then; starting over makes them all
 
 }  // namespace
 

@@ -14,6 +14,7 @@ ToolPanel::ToolPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_
   does_ = new QLabel;
   does_->setWordWrap(true);
   form_ = new QFormLayout;
+  form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   column->addWidget(name_);
   column->addWidget(does_);
   column->addLayout(form_);

@@ -11,11 +11,7 @@
 
 namespace ease {
 
-namespace {
-
 constexpr double kZoomPerStep = 0.88;  // distance, a step of the wheel
-
-}  // namespace
 
 ViewWidget::ViewWidget(Studio& studio, Content content, QWidget* parent)
     : QWidget(parent), studio_(studio), content_(content) {
