@@ -4,6 +4,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -20,6 +21,7 @@ QDockWidget* MainWindow::addDock(const QString& title, QWidget* content) {
   scroll->setWidget(content);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
   dock->setWidget(scroll);
   addDockWidget(Qt::RightDockWidgetArea, dock);
   return dock;
