@@ -19,7 +19,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Ease simulates a garment on a body that moves between scanned poses \
 and lets the garment out where the motion would stretch it too far.")
 set(CPACK_DEBIAN_STUDIO_PACKAGE_NAME ease-studio)
-set(CPACK_DEBIAN_STUDIO_PACKAGE_DEPENDS "ease (= ${PROJECT_VERSION}), libegl1, libgl1-mesa-dri, fonts-dejavu-core")
+set(CPACK_DEBIAN_STUDIO_PACKAGE_DEPENDS "ease (= ${PROJECT_VERSION}), libgl1-mesa-dri, fonts-dejavu-core")
 set(CPACK_DEBIAN_STUDIO_DESCRIPTION "Ease Studio is a window in which a garment is drawn on a scanned body, \
 simulated, and changed while it moves; what it saves is a scene for the program ease.")
 include(CPack)
