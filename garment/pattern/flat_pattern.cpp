@@ -23,7 +23,7 @@ constexpr double kRoom = 0.85;   // of the limit of shear, up to which a piece m
 constexpr double kSlowness = 4;  // shear at 99 % goes with about the fourth root of 1 / stiffness
 
 // Darts are found along the mesh's edges, whose teeth give way where a straight line does not: once the lines slid,
-// pieces may be over the limits again, and get more darts.
+// pieces may be over the limits again, and one more dart is looked for.
 constexpr int kDartRounds = 2;
 
 FlatPieces flatPieces(const CutGarment& cut, const std::vector<Mat2>& rest_edges) {
@@ -182,7 +182,9 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   pattern.slid.garment = given;
   for (int round = 0; round < kDartRounds; ++round) {
     const size_t before = pattern.lines.size();
-    pattern.lines = withDarts(withGrain(pattern.slid.garment, pieces, grain), pattern.lines, settings);
+    FlatSettings more = settings;
+    if (round > 0) more.max_darts = std::min(settings.max_darts, static_cast<int>(before - mended) + 1);
+    pattern.lines = withDarts(withGrain(pattern.slid.garment, pieces, grain), pattern.lines, more);
     if (round > 0 && pattern.lines.size() == before) break;
     pattern.slid = slideLines(given, pattern.lines);
     if (pattern.lines.size() == before) break;

@@ -1,12 +1,11 @@
 #include "garment/pattern/slid_lines.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 
-#include "collision/triangle_tree.h"
 #include "garment/seam_straightening.h"
 #include "garment/surface_path.h"
+#include "garment/surface_place.h"
 #include "solver/base/parallel.h"
 
 namespace ease {
@@ -84,54 +83,32 @@ bool isSound(const TriangleMesh& mesh, const Positions& before) {
   return true;
 }
 
-/// The garment before its vertices slid: what cloth lay where.
-class UnslidCloth {
- public:
-  explicit UnslidCloth(const RestGarment& garment)
-      : garment_(garment), tree_(garment.mesh.positions, garment.mesh.triangles) {}
+/// Takes edges in a plane with this normal, turned into that of triangle s, to rest.
+Mat23 toRest(const RestGarment& garment, int s, const Vec3& normal) {
+  const Mat32 edges = edgeMatrix(garment.mesh.positions, garment.mesh.triangles, s);
+  const Mat23 inverse = (edges.transpose() * edges).inverse() * edges.transpose();
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(normal, edges.col(0).cross(edges.col(1)));
+  return garment.rest_edges[s] * inverse * turn.toRotationMatrix();
+}
 
-  /// Puts a vertex onto the surface; `around` is a triangle that is likely near.
-  CutVertex place(Vec3& x, int around) const {
-    const ClosestPoint at = tree_.closest(x, kReach, around);
-    const int t = at.triangle >= 0 ? at.triangle : around;
-    const auto corners = garment_.mesh.triangles.row(t);
-    const Vec3 origin = garment_.mesh.positions.row(corners[0]);
-    const Mat32 edges = edgeMatrix(garment_.mesh.positions, garment_.mesh.triangles, t);
-    const Eigen::Vector2d share = edges.colPivHouseholderQr().solve((at.triangle >= 0 ? at.point : x) - origin);
-    x = origin + edges * share;
-    return {{corners[0], corners[1], corners[2]}, {1.0 - share.sum(), share[0], share[1]}};
-  }
-
-  /// Rest edges of triangle t at the positions that its vertices slid to.
-  Mat2 restEdges(const TriangleMesh& slid, int t) const {
-    const Mat32 edges = edgeMatrix(slid.positions, slid.triangles, t);
-    const Vec3 origin = slid.positions.row(slid.triangles(t, 0)), normal = edges.col(0).cross(edges.col(1));
-    Mat2 mean = Mat2::Zero();
-    int count = 0, hint = t;
-    for (int i = 0; i < kSamples; ++i)
-      for (int j = 0; j < 2 * (kSamples - i) - 1; ++j) {  // rows of triangles that point up and down in turn
-        const double u = (i + (j % 2 + 1) / 3.0) / kSamples, v = (j / 2 + (j % 2 + 1) / 3.0) / kSamples;
-        const ClosestPoint at = tree_.closest(origin + edges * Eigen::Vector2d(u, v), kReach, hint);
-        if (at.triangle < 0) continue;
-        hint = at.triangle;
-        mean += toRest(hint, normal) * edges;
-        ++count;
-      }
-    return count > 0 ? Mat2(mean / count) : garment_.rest_edges[t];
-  }
-
- private:
-  /// From edges in a plane with this normal, turned into that of triangle s, to rest.
-  Mat23 toRest(int s, const Vec3& normal) const {
-    const Mat32 edges = edgeMatrix(garment_.mesh.positions, garment_.mesh.triangles, s);
-    const Mat23 inverse = (edges.transpose() * edges).inverse() * edges.transpose();
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(normal, edges.col(0).cross(edges.col(1)));
-    return garment_.rest_edges[s] * inverse * turn.toRotationMatrix();
-  }
-
-  const RestGarment& garment_;
-  const TriangleTree tree_;
-};
+/// Rest edges of triangle t at the positions that its vertices slid to; `places`: on the garment as it was.
+Mat2 restEdgesOf(const TriangleMesh& slid, int t, const RestGarment& garment, const SurfacePlaces& places) {
+  const Mat32 edges = edgeMatrix(slid.positions, slid.triangles, t);
+  const Vec3 origin = slid.positions.row(slid.triangles(t, 0)), normal = edges.col(0).cross(edges.col(1));
+  Mat2 mean = Mat2::Zero();
+  int count = 0, hint = t;
+  for (int i = 0; i < kSamples; ++i)
+    for (int j = 0; j < 2 * (kSamples - i) - 1; ++j) {  // rows of triangles that point up and down in turn
+      const double third = (j % 2 + 1) / 3.0;
+      const Vec3 x = origin + edges * Eigen::Vector2d(i + third, j / 2 + third) / kSamples;
+      const SurfacePlace at = places.nearest(x, kReach, hint);
+      if (at.triangle < 0) continue;
+      hint = at.triangle;
+      mean += toRest(garment, hint, normal) * edges;
+      ++count;
+    }
+  return count > 0 ? Mat2(mean / count) : garment.rest_edges[t];
+}
 
 }  // namespace
 
@@ -165,22 +142,30 @@ CutUp slideLines(const RestGarment& garment, std::vector<CutLine>& lines) {
     }
     for (size_t i = 1; i + 1 < chain.size(); ++i) stays[chain[i]] = 1;
   }
-  const UnslidCloth cloth(garment);
+  const SurfacePlaces places(garment.mesh);
   std::vector<int> around(n, -1);
   for (int t = 0; t < m; ++t)
     for (int k = 0; k < 3; ++k) around[mesh.triangles(t, k)] = t;
   std::vector<char> moved(n, 0);
-  for (int v = 0; v < n; ++v)
-    if (mesh.positions.row(v) != garment.mesh.positions.row(v)) {
-      Vec3 x = mesh.positions.row(v);
-      slid.vertices[v] = cloth.place(x, around[v]);
-      mesh.positions.row(v) = x;
-      moved[v] = 1;
-    }
+  for (int v = 0; v < n; ++v) {
+    if (mesh.positions.row(v) == garment.mesh.positions.row(v)) continue;
+    const SurfacePlace at = places.nearest(mesh.positions.row(v), kReach, around[v]);
+    mesh.positions.row(v) = garment.mesh.positions.row(v);
+    if (at.triangle < 0) continue;
+    const auto corners = mesh.triangles.row(at.triangle);
+    slid.vertices[v] = {{corners[0], corners[1], corners[2]}, at.share};
+    moved[v] = 1;
+  }
+  for (int v = 0; v < n; ++v) {
+    if (!moved[v]) continue;
+    const auto& [from, share] = slid.vertices[v];
+    mesh.positions.row(v).setZero();
+    for (int k = 0; k < 3; ++k) mesh.positions.row(v) += share[k] * garment.mesh.positions.row(from[k]);
+  }
   parallelFor(m, 64, [&](int t) {
     const auto corners = mesh.triangles.row(t);
     if (moved[corners[0]] || moved[corners[1]] || moved[corners[2]])
-      slid.garment.rest_edges[t] = cloth.restEdges(mesh, t);
+      slid.garment.rest_edges[t] = restEdgesOf(mesh, t, garment, places);
   });
   return slid;
 }
