@@ -4,6 +4,7 @@
 //              and in two where a piece overlaps itself in the plane                    (overlap.h)
 //   turn       the grain of each piece, where it may be free                            (free_grain.h)
 //   darts      where a piece would have to stretch or shear beyond the limits           (darts.h)
+//   slide      darts and openings onto smooth lines, as they are drawn and sewn         (slid_lines.h)
 //   flatten    all pieces together, sides of a seam equally long; pieces far below the limit of shear once more, with
 //              softer shear, which spares their threads                                 (flattening.h)
 //   name       after the loops around a piece and the side of the wearer                (piece_names.h)
