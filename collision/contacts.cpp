@@ -1,6 +1,7 @@
 #include "collision/contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -93,16 +94,36 @@ double distanceTo(const BodyMoment& body, const Vec3& x) {
 }
 
 double depthOfTriangle(const BodyMoment& body, const Vec3& a, const Vec3& b, const Vec3& c, double step) {
+  // Distance changes by at most the way: a point is left out where one of those measured before it, far from the body
+  // enough, shows that it cannot be the deepest.
+  struct Measured {
+    Vec3 at;
+    double distance;  // m
+  };
+  constexpr int kKept = 32;
+  std::array<Measured, kKept> measured;
+  int count = 0;
   const double longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
   const int n = std::max(1, static_cast<int>(std::ceil(longest / step)));
   double deepest = 0.0;
+  const auto isHigher = [&](const Vec3& x) {
+    return std::any_of(measured.begin(), measured.begin() + std::min(count, kKept), [&](const Measured& m) {
+      const double way = m.distance + deepest;
+      return way > 0.0 && (x - m.at).squaredNorm() <= way * way;
+    });
+  };
   for (int i = 0; i <= n; ++i)
     for (int j = 0; i + j <= n; ++j) {
       const Vec3 x = a + (b - a) * (static_cast<double>(i) / n) + (c - a) * (static_cast<double>(j) / n);
-      const ClosestPoint near = body.tree->closest(x, kMaxDistance);
-      if (near.triangle < 0) continue;
-      const Vec3 carried = x - body.tau * body.motionOfTriangle(near.triangle);
-      deepest = std::max(deepest, -body.tree->signedDistance(carried, kMaxDistance));
+      if (isHigher(x)) continue;
+      Vec3 carried = x;
+      if (body.tau > 0.0) {
+        const ClosestPoint near = body.tree->closest(x, kMaxDistance);
+        if (near.triangle >= 0) carried -= body.tau * body.motionOfTriangle(near.triangle);
+      }
+      const double distance = body.tree->signedDistance(carried, kMaxDistance);
+      measured[count++ % kKept] = {x, distance};
+      deepest = std::max(deepest, -distance);
     }
   return deepest;
 }

@@ -181,3 +181,15 @@ TEST_CASE("between two parts of the body each plane has its own part's motion") 
     CHECK((contacts.motions[k] - Vec3(0.0, away > 0.0 ? -0.003 : 0.002, 0.0)).norm() < 1e-12);
   }
 }
+
+TEST_CASE("a triangle is as deep in the body as its deepest point, though most of its points are left out") {
+  Body body(makeSlabs(0.1));
+  const std::vector<Vec3> none;
+  const BodyMoment moment = body.moment(none);
+  const double step = 0.005;
+  const Vec3 a(-0.062, 0.0, 0.0), b(0.03, 0.02, 0.0), c(0.04, -0.03, 0.05);  // a corner is 12 mm deep
+  CHECK(depthOfTriangle(moment, a, b, c, step) == Approx(0.012).epsilon(1e-9));
+  const Vec3 across(0.072, 0.01, 0.02);  // both slabs, the second one deeper
+  CHECK(depthOfTriangle(moment, a, across, c, step) == Approx(0.022).epsilon(1e-9));
+  CHECK(depthOfTriangle(moment, Vec3(-0.049, 0.0, 0.0), b, c, step) == 0.0);
+}
