@@ -192,6 +192,14 @@ Json toJson(const Report& report, const Scene& scene) {
   return json;
 }
 
+/// The time of the whole command.  The steps of a fit that went on were made in part by commands before this one.
+std::string totalText(const Report& report, double run_s) {
+  const double rest_s = report.total_s - run_s;
+  if (rest_s < 0.0) return fmt::format("{:.1f} s in this command, the rest in those before it", report.total_s);
+  return fmt::format("{:.1f} s in all: {:.1f} s more for {}pictures and report", report.total_s, rest_s,
+                     report.verified ? (report.fit.passes.empty() ? "replays, " : "check, ") : "");
+}
+
 }  // namespace
 
 void describe(const Scene& scene, const SceneInput& input, const Cloth& cloth, Report& report) {
@@ -210,7 +218,11 @@ void recordFit(const Fit& fit, double wall_s, Report& report) {
   if (fit.result().reason.empty()) return;
   report.before = fit.state().passes.front().record;
   const PassRecord &chosen = fit.state().passes[fit.state().best].record, &check = fit.result().check;
-  report.after = check.stretch.overall.share_over_limit >= chosen.stretch.overall.share_over_limit ? check : chosen;
+  const StretchStatistics &in_check = check.stretch.overall, &in_pass = chosen.stretch.overall;
+  const bool check_is_worse = in_check.share_over_limit != in_pass.share_over_limit
+                                  ? in_check.share_over_limit > in_pass.share_over_limit
+                                  : in_check.max >= in_pass.max;
+  report.after = check_is_worse ? check : chosen;
   report.run.fully_grown = chosen.fully_grown;
   report.time_to_fit_s = wall_s;
   report.verified = true;
@@ -244,10 +256,9 @@ std::string summaryText(const Report& report) {
   if (run.steps > 0)
     text = fmt::format(
         "{} vertices, {} steps of {:.4g} ms in {:.1f} s: {:.1f} steps/s with setup and output, {:.1f} the time steps "
-        "alone\n{:.1f} s in all: {:.1f} s more for {}pictures and report\n",
+        "alone\n{}\n",
         report.vertices, run.steps, 1e3 * report.time_step_s, run_s, perSecond(run.steps, run_s),
-        perSecond(run.steps, run.times.step), report.total_s, report.total_s - run_s,
-        report.verified ? (report.fit.passes.empty() ? "replays, " : "check, ") : "");
+        perSecond(run.steps, run.times.step), totalText(report, run_s));
   else
     text = fmt::format("{} vertices, no time step was left to do; {:.1f} s in all\n", report.vertices, report.total_s);
   for (const std::string& doubt : report.doubts) text += fmt::format("stretch says nothing: {}\n", doubt);
@@ -262,8 +273,10 @@ std::string summaryText(const Report& report) {
     line("after ", report.after.stretch);
   }
   if (report.verified && !report.fit.passes.empty() && report.doubts.empty())
-    text += fmt::format("fitted in {} passes, {:.1f} s: {}\n", report.fit.passes.size(),
-                        report.time_to_fit_s.value_or(0.0), report.fit_result.reason);
+    text += fmt::format("{} in {} pass{}, {:.1f} s: {}\n",
+                        report.fit_result.target_met ? "fitted" : "the target was not met", report.fit.passes.size(),
+                        report.fit.passes.size() == 1 ? "" : "es", report.time_to_fit_s.value_or(0.0),
+                        report.fit_result.reason);
   if (report.limit > 0.0)
     text += fmt::format("rest shape: area {:+.2f} %, largest growth {:.2f} times, 99 % below {:.2f}\n",
                         100.0 * (report.growth.area_ratio - 1.0), report.growth.max, report.growth.p99);
