@@ -9,7 +9,7 @@
 
 namespace ease {
 
-/// Filled corners without the space between them: a twentieth of the grid that they came from.
+/// Filled corners without the space between them: an eighth of the memory of the grid that they came from.
 struct KnownCorners {
   std::vector<MarkedBlock> blocks;  // which corners; the values follow in the order of blocks and of bits
   std::vector<int> first;           // by block: place of its first value
