@@ -30,6 +30,11 @@ Positions disturbed(const Positions& start) {
 
 }  // namespace
 
+double toleranceOfPass(std::span<const FitPass> before, double asked) {
+  const bool is_far = before.empty() || before.back().record.stretch.overall.share_over_limit > kFar;
+  return is_far ? kCoarser * asked : asked;
+}
+
 Fit::Fit(const RunSettings& settings, const FitSettings& fit, const RunInput& input, Cloth& cloth)
     : settings_(settings), fit_(fit), input_(input), cloth_(cloth), demand_(*settings.limit) {
   cloth_.setRest(RestShape(cloth_.first()));
@@ -65,7 +70,7 @@ void Fit::pass(const FitWatch& watch) {
   run_watch.interrupted = watch.interrupted;
   run_watch.on_stretch = [&](const std::vector<Stretch>& stretch) { demand_.add(cloth_, stretch); };
   RunSettings settings = settings_;
-  if (passCount() == 0 || share(passCount() - 1) > kFar) settings.method.tolerance *= kCoarser;
+  settings.method.tolerance = toleranceOfPass(state_.passes, settings.method.tolerance);
   Run run(settings, input_, cloth_);
   run.run(run_watch);
   if (isInterrupted(watch)) return;

@@ -2,8 +2,7 @@
 //
 //   pass 1       carries the cloth once through the motion on its first rest shape
 //   let out      the rest shape grows as all moments of the pass ask for (growth_demand.h)
-//   pass 2 ...   the same again, until the share of triangles over the limit is at most the target, or no longer falls;
-//                steps are solved to twice the tolerance as long as the share before was above 1 %
+//   pass 2 ...   the same again, until the share of triangles over the limit is at most the target, or no longer falls
 //   embedding    a surface in space with the lengths of the chosen metric (rest_metric.h)
 //   check        a last pass on the rest shape chosen, from a start that is disturbed by a hundredth of a millimetre
 //
@@ -12,6 +11,7 @@
 // draws from what it may do, and the worse of them counts.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,6 +57,10 @@ struct FitWatch {
   std::function<void(const FitState&)> on_pass;  // after each pass: a later fit may go on from here
   const std::atomic<bool>* interrupted = nullptr;
 };
+
+/// Tolerance to which a pass solves its steps, where `asked` is that of the run: twice as much in the first pass and
+/// after one with a share over the limit above 1 %, since what such a pass asks for is coarse anyway.
+double toleranceOfPass(std::span<const FitPass> before, double asked);
 
 class Fit {
  public:

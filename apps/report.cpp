@@ -84,12 +84,17 @@ Json measuredIf(bool measured, const Json& value) {
 Json adaptionOf(const Report& report, const Scene& scene) {
   if (!fitsInPasses(scene)) return {{"mode", "sequential"}};
   Json json = {{"mode", "passes"}, {"target", scene.adaption->fit.target}, {"passes", Json::array()}};
-  for (const FitPass& pass : report.fit.passes) {
+  const bool has_tolerance = scene.solver.method != Method::newton && scene.solver.method != Method::bw1;
+  const std::span passes(report.fit.passes);
+  for (size_t p = 0; p < passes.size(); ++p) {
+    const FitPass& pass = passes[p];
     const StretchStatistics& stretch = pass.record.stretch.overall;
+    const double tolerance = toleranceOfPass(passes.first(p), scene.solver.tolerance);
     json["passes"].push_back({{"share_over_limit", stretch.share_over_limit},
                               {"taut_share_over_limit", stretch.taut_share_over_limit},
                               {"max", stretch.max},
                               {"area_ratio", pass.area_ratio},
+                              {"tolerance", measuredIf(has_tolerance, tolerance)},
                               {"wall_s", pass.record.times.total}});
   }
   if (!report.verified) return json;

@@ -143,3 +143,13 @@ TEST_CASE("a fit that is interrupted leaves a rest shape that is embedded, and n
   CHECK(cloth.restEdges() == fit.state().next_rest);
   CHECK(metricError(cloth, cloth.restPositions()).p99 < 0.01);
 }
+
+TEST_CASE("passes are solved to twice the tolerance until less than a hundredth of the triangles is over the limit") {
+  std::vector<FitPass> passes;
+  CHECK(toleranceOfPass(passes, 0.2) == 0.4);
+  passes.resize(1);
+  passes.back().record.stretch.overall.share_over_limit = 0.3;
+  CHECK(toleranceOfPass(passes, 0.2) == 0.4);
+  passes.back().record.stretch.overall.share_over_limit = 0.002;
+  CHECK(toleranceOfPass(passes, 0.2) == 0.2);
+}

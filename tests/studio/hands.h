@@ -52,7 +52,7 @@ seed = [0, 1.2, 0.12]
 )";
 }
 
-/// The same with seams at sides and shoulders, which leave a front and a back.
+/// That scene, its top with seams at sides and shoulders, which leave a front and a back.
 inline std::string sewnTop() {
   const auto seam = [](const char* name, const char* from, const char* to, const char* point) {
     return std::string("\n[[garment.seam]]\nname = \"") + name + "\"\nfrom = \"" + from + "\"\nto = \"" + to +
