@@ -17,7 +17,7 @@ constexpr int kSmoothingPasses = 1;
 void GrowthDemand::add(const Cloth& cloth, const std::vector<Stretch>& stretch) {
   growth_.resize(stretch.size(), Mat2::Identity());
   fully_grown_.resize(stretch.size(), 0);
-  const double act_above = 1.0 + kActAbove * limit_, goal = 1.0 + kGoal * limit_;
+  const double act_above = 1.0 + kActAbove * limit_, goal = 1.0 + goal_ * limit_;
   parallelFor(cloth.triangleCount(), 512, [&](int t) {
     const Stretch& s = stretch[t];
     if (s.sigma_1 <= act_above) return;

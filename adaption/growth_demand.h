@@ -20,8 +20,8 @@ constexpr double kActAbove = 0.8, kGoal = 0.6;
 
 class GrowthDemand {
  public:
-  /// `limit`: largest comfortable strain, delta > 0.
-  explicit GrowthDemand(double limit) : limit_(limit) {}
+  /// `limit`: largest comfortable strain, delta > 0.  `goal`: strain to which cloth grows, as a share of the limit.
+  explicit GrowthDemand(double limit, double goal = kGoal) : limit_(limit), goal_(goal) {}
 
   /// Adds what a moment asks for.
   void add(const Cloth& cloth, const std::vector<Stretch>& stretch);
@@ -35,7 +35,7 @@ class GrowthDemand {
   int fullyGrown() const;
 
  private:
-  double limit_;
+  double limit_, goal_;
   std::vector<Mat2> growth_;
   std::vector<char> fully_grown_;  // 0 or 1
 };
