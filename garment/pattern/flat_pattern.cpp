@@ -113,6 +113,61 @@ void softenShear(const FlatSettings& settings, FlatPattern& pattern) {
   }
 }
 
+/// Whether the mouth of a dart is open on the paper, its legs drawn straight.  `in` leads from the mouth to the tip.
+bool isOpen(const PieceEdge& in, const PieceEdge& out, const Positions& x) {
+  const Vec3 to_tip = x.row(in.vertices.back()) - x.row(in.vertices.front());
+  const Vec3 to_mouth = x.row(out.vertices.back()) - x.row(out.vertices.front());
+  return to_tip.cross(to_mouth).z() < 0.0;
+}
+
+/// Number of the line of a dart, from `first_line` on, without which a piece that overlaps itself might not: one that
+/// is not open, otherwise the piece's last; -1: none.
+int dartToLeaveOut(const FlatPattern& pattern, size_t first_line) {
+  for (size_t p = 0; p < pattern.pieces.size(); ++p) {
+    if (!pattern.pieces[p].crosses_itself) continue;
+    int last = -1;
+    for (const int e : pattern.cut.outlines[p]) {
+      const PieceEdge& leg = pattern.cut.edges[e];
+      if (!isDartLeg(pattern.cut, e) || leg.line < static_cast<int>(first_line)) continue;
+      const PieceEdge& other = pattern.cut.edges[leg.partner];
+      if (leg.vertices.back() == other.vertices.front() && !isOpen(leg, other, pattern.x)) return leg.line;
+      last = std::max(last, leg.line);
+    }
+    if (last >= 0) return last;
+  }
+  return -1;
+}
+
+/// Leaves a dart out; those after it are numbered anew.
+void leaveOut(int dart, std::vector<CutLine>& lines) {
+  for (size_t l = lines.size() - 1; l > static_cast<size_t>(dart); --l) lines[l].seam.name = lines[l - 1].seam.name;
+  lines.erase(lines.begin() + dart);
+}
+
+/// Cuts along the pattern's lines, which have slid, flattens and measures the pieces.
+void flattenAlongLines(const Pieces& pieces, const std::vector<double>& grain, const FlatSettings& settings,
+                       FlatPattern& pattern) {
+  const RestGarment garment = withGrain(pattern.slid.garment, pieces, grain);
+  pattern.cut = cutGarment(garment.mesh, pattern.lines, garment.loops);
+  pattern.flat = flatPieces(pattern.cut, garment.rest_edges);
+  const Flattened flattened = flatten(pattern.flat, sewnPairs(pattern.cut), settings.woven);
+  pattern.x = flattened.x;
+  pattern.mended = flattened.mended;
+  pattern.iterations = flattened.iterations;
+  const std::vector<std::string> names = pieceNames(pattern.cut, garment.mesh, settings.names);
+  pattern.pieces.clear();
+  for (int p = 0; p < pattern.cut.pieces.count; ++p) {
+    FlatPiece piece;
+    piece.name = names[p];
+    piece.grain = grain[p];  // darts divide no piece, so that pieces keep their numbers
+    piece.upside_down = isUpsideDown(pattern.cut, garment.mesh, pattern.x, p);
+    pattern.pieces.push_back(piece);
+  }
+  measure(settings, pattern);
+  pattern.shear.assign(pattern.pieces.size(), settings.woven.shear);
+  softenShear(settings, pattern);
+}
+
 }  // namespace
 
 double lengthOf(const std::vector<int>& vertices, const Positions& x) {
@@ -147,10 +202,9 @@ bool overlapsItself(const CutGarment& cut, int piece, const Positions& x) {
     const std::vector<int>& vertices = cut.edges[e].vertices;
     const bool is_leg = isDartLeg(cut, e);
     outline.insert(outline.end(), vertices.begin(), is_leg ? vertices.begin() + 1 : vertices.end() - 1);
-    const std::vector<int>& other = cut.edges[std::max(0, cut.edges[e].partner)].vertices;
-    if (!is_leg || vertices.back() != other.front()) continue;
-    const Vec3 in = x.row(vertices.back()) - x.row(vertices.front()), out = x.row(other.back()) - x.row(other.front());
-    if (in.cross(out).z() >= 0.0) return true;
+    if (!is_leg) continue;
+    const PieceEdge& other = cut.edges[cut.edges[e].partner];
+    if (vertices.back() == other.vertices.front() && !isOpen(cut.edges[e], other, x)) return true;
   }
   return crossesItself(outline, x);
 }
@@ -189,24 +243,13 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
     pattern.slid = slideLines(given, pattern.lines);
     if (pattern.lines.size() == before) break;
   }
-  const RestGarment garment = withGrain(pattern.slid.garment, pieces, grain);
-  pattern.cut = cutGarment(garment.mesh, pattern.lines, garment.loops);
-  pattern.flat = flatPieces(pattern.cut, garment.rest_edges);
-  const Flattened flattened = flatten(pattern.flat, sewnPairs(pattern.cut), settings.woven);
-  pattern.x = flattened.x;
-  pattern.mended = flattened.mended;
-  pattern.iterations = flattened.iterations;
-  const std::vector<std::string> names = pieceNames(pattern.cut, garment.mesh, settings.names);
-  for (int p = 0; p < pattern.cut.pieces.count; ++p) {
-    FlatPiece piece;
-    piece.name = names[p];
-    piece.grain = grain[p];  // darts divide no piece, so that pieces keep their numbers
-    piece.upside_down = isUpsideDown(pattern.cut, garment.mesh, pattern.x, p);
-    pattern.pieces.push_back(piece);
+  flattenAlongLines(pieces, grain, settings, pattern);
+  // A dart that opened along the mesh's edges may close once the lines slid.
+  for (int l = dartToLeaveOut(pattern, mended); l >= 0; l = dartToLeaveOut(pattern, mended)) {
+    leaveOut(l, pattern.lines);
+    pattern.slid = slideLines(given, pattern.lines);
+    flattenAlongLines(pieces, grain, settings, pattern);
   }
-  measure(settings, pattern);
-  pattern.shear.assign(pattern.pieces.size(), settings.woven.shear);
-  softenShear(settings, pattern);
   for (size_t l = asked; l < mended; ++l)
     pattern.warnings.push_back(
         fmt::format("a piece overlapped itself when flat and was cut in two along '{}': give a seam of your own if it "
