@@ -49,10 +49,11 @@ std::vector<std::string> drawReplays(const std::filesystem::path& directory, con
                                      const TriangleMesh& first_body, double limit,
                                      const std::vector<std::string>& doubts) {
   std::vector<std::string> reasons = {
-      drawGarments(directory / "stretch.png", {{"before", &before.end}, {"after", &after.end}}, last_body, limit,
-                   doubts),
-      drawGarments(directory / "stretch_first_pose.png", {{"before", &before.start}, {"after", &after.start}},
-                   first_body, limit, doubts)};
+      drawGarments(directory / "stretch.png", {{"before, last pose", &before.end}, {"after, last pose", &after.end}},
+                   last_body, limit, doubts),
+      drawGarments(directory / "stretch_first_pose.png",
+                   {{"before, first pose", &before.start}, {"after, first pose", &after.start}}, first_body, limit,
+                   doubts)};
   std::erase(reasons, "");
   return reasons;
 }
