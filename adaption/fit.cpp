@@ -31,11 +31,12 @@ Positions disturbed(const Positions& start) {
   return x;
 }
 
-}  // namespace
-
+/// Whether the pass after these is far from the target.
 bool isFar(std::span<const FitPass> before) {
   return before.empty() || before.back().record.stretch.overall.share_over_limit > kFar;
 }
+
+}  // namespace
 
 double toleranceOfPass(std::span<const FitPass> before, double asked) {
   return isFar(before) ? kCoarser * asked : asked;
@@ -72,7 +73,7 @@ void Fit::embed() {
 }
 
 GrowthDemand Fit::demandOfNextPass() const {
-  return isFar(state_.passes) ? GrowthDemand(*settings_.limit) : GrowthDemand(*settings_.limit, kGoalNearTarget);
+  return GrowthDemand(*settings_.limit, isFar(state_.passes) ? kGoal : kGoalNearTarget);
 }
 
 void Fit::pass(const FitWatch& watch) {

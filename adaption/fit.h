@@ -58,12 +58,8 @@ struct FitWatch {
   const std::atomic<bool>* interrupted = nullptr;
 };
 
-/// Whether the pass after these is far from the target: it is the first, or the one before it had more than 1 % of the
-/// triangles over the limit.
-bool isFar(std::span<const FitPass> before);
-
-/// Tolerance to which the pass after these solves its steps, where `asked` is that of the run: twice as much far from
-/// the target, since what such a pass asks for is coarse anyway.
+/// Tolerance to which the pass after these solves its steps, where `asked` is that of the run: twice as much in the
+/// first pass and after one with a share over the limit above 1 %, since what such a pass asks for is coarse anyway.
 double toleranceOfPass(std::span<const FitPass> before, double asked);
 
 class Fit {

@@ -245,11 +245,16 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   }
   flattenAlongLines(pieces, grain, settings, pattern);
   // A dart that opened along the mesh's edges may close once the lines slid.
+  int left_out = 0;
   for (int l = dartToLeaveOut(pattern, mended); l >= 0; l = dartToLeaveOut(pattern, mended)) {
+    ++left_out;
     leaveOut(l, pattern.lines);
     pattern.slid = slideLines(given, pattern.lines);
     flattenAlongLines(pieces, grain, settings, pattern);
   }
+  if (left_out > 0)
+    pattern.warnings.push_back(
+        fmt::format("darts that would not open on the paper were left out: {}, give a seam there", left_out));
   for (size_t l = asked; l < mended; ++l)
     pattern.warnings.push_back(
         fmt::format("a piece overlapped itself when flat and was cut in two along '{}': give a seam of your own if it "

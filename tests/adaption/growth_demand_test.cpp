@@ -46,6 +46,18 @@ TEST_CASE("a sheet pulled in two directions in turn grows to what holds both, in
   for (size_t t = 0; t < rests[0].size(); ++t) CHECK((rests[0][t] - rests[1][t]).norm() < 1e-12);
 }
 
+TEST_CASE("cloth grows to the strain that is its goal") {
+  const TriangleMesh sheet = makeSheet(4, 4, 0.2, 0.2);
+  Cloth cloth(sheet, Vec3::UnitX(), Material());
+  GrowthDemand demand(0.1, 0.3);
+  demand.add(cloth, stretchOf(cloth, scaled(sheet, 1.2, 1.0)));
+  REQUIRE(demand.letOut(cloth));
+  for (int t = 0; t < cloth.triangleCount(); ++t) {
+    const Mat2 map = cloth.restEdges()[t] * cloth.first().edges[t].inverse();
+    CHECK(map(0, 0) == Approx(1.2 / 1.03).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("cloth that asks for nothing keeps its rest shape to the last bit") {
   const TriangleMesh sheet = makeSheet(8, 8, 0.2, 0.2);
   Cloth cloth(sheet, Vec3::UnitX(), Material());
