@@ -12,43 +12,13 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
+#include "adaption/fit_state.h"
 #include "adaption/growth_demand.h"
-#include "adaption/rest_metric.h"
 #include "adaption/run.h"
 
 namespace ease {
-
-struct FitSettings {
-  double target = 0.001;  // share of the triangles that may be over the limit at the worst moment
-  int max_passes = 14;
-};
-
-struct FitPass {
-  PassRecord record;
-  double area_ratio = 1.0;  // area of the rest shape in this pass over that of the first
-};
-
-/// Enough to go on after a pass as if the fit had not stopped there.
-struct FitState {
-  std::vector<FitPass> passes;
-  Positions first_end;          // of the garment at the end of the first pass, m
-  int best = 0;                 // the pass with the smallest share over the limit
-  double best_share = 1.0;      // that share; once its rest shape was checked, the larger one of pass and check
-  std::vector<Mat2> best_rest;  // flat rest edges of that pass, m
-  std::vector<Mat2> next_rest;  // of the next pass, m
-  bool over = false;            // the passes ended by themselves
-};
-
-struct FitResult {
-  PassRecord check;     // of the rest shape chosen, from a disturbed start
-  Positions check_end;  // of the garment at its end, m
-  bool target_met = false;
-  std::string reason;     // why the passes ended, in words
-  MetricError embedding;  // of the rest shape chosen
-};
 
 /// Who watches a fit.  Functions may be empty.
 struct FitWatch {
@@ -68,7 +38,10 @@ class Fit {
   Fit(const RunSettings& settings, const FitSettings& fit, const RunInput& input, Cloth& cloth);
 
   /// Goes on from there.  Must come before run().
-  void resume(const FitState& from) { state_ = from; }
+  void resume(const FitState& from) {
+    state_ = from;
+    state_.resumed_after = passCount();
+  }
 
   /// Fits the cloth's rest shape.  Where it is interrupted, or throws ComputationError as Run::run() does, the cloth
   /// has the rest shape of the pass that was not finished, embedded too.

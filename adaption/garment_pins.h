@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "collision/body_pins.h"
-#include "solver/step/time_step.h"
+#include "solver/step/state.h"
 
 namespace ease {
 

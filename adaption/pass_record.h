@@ -8,7 +8,7 @@
 #include "adaption/stretch_measure.h"
 #include "adaption/substeps.h"
 #include "collision/contacts.h"
-#include "solver/step/time_step.h"
+#include "solver/step/method.h"
 
 namespace ease {
 

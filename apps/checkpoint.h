@@ -9,7 +9,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "adaption/run.h"
+#include "adaption/fit_state.h"
+#include "adaption/run_watch.h"
 #include "apps/scene.h"
 #include "solver/mesh/numbering.h"
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "adaption/fit.h"
 #include "apps/doubts.h"
 #include "apps/frames.h"
 #include "apps/page/fit_page.h"
@@ -95,7 +96,7 @@ class Job {
     first_areas_ = cloth_->restAreas();
     if (scene_.body) body_.emplace(movingBody(scene_, input_));
     describe(scene_, input_, *cloth_, report_);
-    if (resume_from_) report_.resumed_from_step = resume_from_->run.done.all;
+    if (resume_from_ && !fitsInPasses(scene_)) report_.resumed_from_step = resume_from_->run.done.all;
     const long replay_steps = static_cast<long>(timeline(replaySchedule(scene_)).size());
     if (fitsInPasses(scene_))  // at most: all passes, and the check
       progress_.emplace((scene_.adaption->fit.max_passes + 1) *

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "adaption/run.h"
+#include "adaption/run_watch.h"
 
 namespace ease {
 

@@ -123,8 +123,19 @@ void checkPlane(const Scene& scene, const SceneInput& input) {
       scene.file.string(), *plane, x.minCoeff(), x.maxCoeff()));
 }
 
-/// Throws InputError where the garment as it is before the run cannot be cut along its seams, or has a piece that is
-/// too wide for the cloth: pieces are let out, hardly ever taken in.
+/// Throws InputError where an allowance is given for a seam or loop that no piece has.
+void checkAllowanceNames(const Allowances& allowances, const CutGarment& cut) {
+  std::set<std::string> known;
+  for (const PieceEdge& edge : cut.edges)
+    if (edge.kind != LineKind::dart) known.insert(edge.name);
+  for (const auto& [name, width] : allowances.by_name)
+    if (!known.contains(name))
+      throw InputError(fmt::format("allowance.{}: no piece has such a seam or edge; there are {}", name,
+                                   listWords({known.begin(), known.end()})));
+}
+
+/// Throws InputError where the garment as it is before the run cannot be cut along its seams, lacks a seam or loop that
+/// an allowance names, or has a piece that is too wide for the cloth: pieces are let out, hardly ever taken in.
 void checkPieces(const Scene& scene, const SceneInput& input, FlatSettings settings) {
   constexpr double kTakenIn = 0.95;  // of a piece's width, at least, that the rest shape's has
   Cloth cloth(input.garment, scene.garment.grain, scene.material);
@@ -132,6 +143,7 @@ void checkPieces(const Scene& scene, const SceneInput& input, FlatSettings setti
   settings.max_darts = 0;
   const FlatPattern pattern = flattenGarment(
       {{cloth.restPositions(), input.garment.triangles}, cloth.restEdges(), input.seams, loopsOf(input)}, settings);
+  checkAllowanceNames(scene.pattern.allowances, pattern.cut);
   std::vector<double> low(pattern.pieces.size(), INFINITY), high(pattern.pieces.size(), -INFINITY);
   for (const PieceEdge& edge : pattern.cut.edges)
     for (const int v : edge.vertices) {
@@ -145,16 +157,6 @@ void checkPieces(const Scene& scene, const SceneInput& input, FlatSettings setti
           "expected wider fabric, or a seam that divides the piece",
           scene.pattern.fabric_width, pattern.pieces[p].name, width,
           width + scene.pattern.fabric_width - settings.widest));
-}
-
-/// Throws InputError where an allowance is given for a seam or loop that no piece has.
-void checkAllowanceNames(const Allowances& allowances, const CutGarment& cut) {
-  std::set<std::string> known;
-  for (const PieceEdge& edge : cut.edges) known.insert(edge.name);
-  for (const auto& [name, width] : allowances.by_name)
-    if (!known.contains(name))
-      throw InputError(fmt::format("allowance.{}: no piece has such a seam or edge; there are {}", name,
-                                   listWords({known.begin(), known.end()})));
 }
 
 }  // namespace

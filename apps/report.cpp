@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "adaption/fit.h"
 #include "solver/base/whole_file.h"
 
 namespace ease {
@@ -117,6 +118,7 @@ Json toJson(const Report& report, const Scene& scene) {
   json["triangles"] = report.triangles;
   json["poses"] = report.pose_names.size();
   if (report.resumed_from_step) json["resumed_from_step"] = *report.resumed_from_step;
+  if (report.fit.resumed_after > 0) json["resumed_after_passes"] = report.fit.resumed_after;
   json["steps"] = run.steps;
   json["parts_of_time_step"] = run.substeps.time;
   json["parts_of_interpolation_step"] = run.substeps.interpolation;

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "adaption/pass_record.h"
+#include "adaption/fit_state.h"
 #include "apps/rest_shape_files.h"
 #include "apps/scene.h"
 
 namespace ease {
+
+class Fit;
 
 struct Report {
   int vertices = 0, triangles = 0;

@@ -196,8 +196,9 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
   if (result.over_limit > as_designed.over_limit + kMoreOverLimit)
     pattern.warnings.push_back(
         fmt::format("the sewn garment is over the limit on {:.2f} % of the triangles, the designed one on {:.2f} %: "
-                    "letting out does not reach it; give the pieces one more seam",
-                    100 * result.over_limit, 100 * as_designed.over_limit));
+                    "{}; give the pieces one more seam",
+                    100 * result.over_limit, 100 * as_designed.over_limit,
+                    scene.pattern.let_out > 0 ? "letting out does not reach it" : "let_out = 0, they are not let out"));
   result.area_ratio = clothArea(pattern) / first_area;
   result.wall_s = wall();
   return result;

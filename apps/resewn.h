@@ -15,6 +15,7 @@
 
 #include "apps/scene.h"
 #include "garment/pattern/flat_pattern.h"
+#include "solver/model/rest_shape.h"
 
 namespace ease {
 

@@ -10,10 +10,11 @@
 #include <variant>
 #include <vector>
 
-#include "adaption/fit.h"
+#include "adaption/run_settings.h"
 #include "apps/mesh_frame.h"
 #include "apps/scene_pattern.h"
 #include "collision/body/body_size.h"
+#include "collision/level_set.h"
 #include "garment/authoring.h"
 #include "solver/base/error.h"
 #include "solver/mesh/numbering.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "adaption/run.h"
+#include "adaption/run_watch.h"
 #include "apps/scene.h"
 #include "viz/series.h"
 

@@ -18,6 +18,7 @@
 #include <map>
 #include <memory>
 
+#include "adaption/fit.h"
 #include "apps/scene_run.h"
 #include "bench/program.h"
 #include "bench/settings.h"

@@ -22,7 +22,10 @@ namespace {
 class SeamFinder {
  public:
   explicit SeamFinder(const LoopedMesh& garment)
-      : garment_(garment), topology_(buildTopology(garment.mesh, "garment")), paths_(garment.mesh, topology_) {
+      : garment_(garment),
+        ends_(garment.loops),
+        topology_(buildTopology(garment.mesh, "garment")),
+        paths_(garment.mesh, topology_) {
     neighbours_ = vertexNeighbours(topology_, static_cast<int>(garment.mesh.positions.rows()));
     is_boundary_.resize(neighbours_.size(), 0);
     for (const std::vector<int>& loop : topology_.boundary_loops)
@@ -33,7 +36,7 @@ class SeamFinder {
   const Topology& topology() const { return topology_; }
 
   /// Tells of a seam that later ones may begin or end on.
-  void add(const Seam& seam) { found_.push_back(seam); }
+  void add(const Seam& seam) { ends_.push_back({seam.name, seam.vertices}); }
 
   SeamLine line(const SeamRequest& request) const {
     if (request.plane) return inPlane(request);
@@ -107,9 +110,7 @@ class SeamFinder {
 
   /// The vertices of a loop, or of a seam found before.
   const std::vector<int>& verticesOf(const std::string& seam, const std::string& name) const {
-    for (const Seam& found : found_)
-      if (found.name == name) return found.vertices;
-    return garment_.loops[loopNamed(garment_.loops, name, fmt::format("seam '{}': loop '{}'", seam, name))].vertices;
+    return ends_[loopNamed(ends_, name, fmt::format("seam '{}': loop '{}'", seam, name))].vertices;
   }
 
   int nearestOf(const std::vector<int>& vertices, const Vec3& x) const {
@@ -202,12 +203,12 @@ class SeamFinder {
   }
 
   const LoopedMesh& garment_;
+  std::vector<NamedLoop> ends_;  // what seams may begin and end on: the loops, and the seams found before
   Topology topology_;
   SurfacePaths paths_;
   std::vector<std::vector<int>> neighbours_;
   std::vector<char> is_boundary_;
   double edge_length_;  // mean, m
-  std::vector<Seam> found_;
 };
 
 }  // namespace

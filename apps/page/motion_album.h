@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "adaption/run.h"
+#include "adaption/run_watch.h"
 #include "apps/scene.h"
 
 namespace ease {

@@ -55,9 +55,12 @@ std::string verdictHtml(const Scene& scene, const Report& report) {
   if (report.resumed_from_step)
     html += fmt::format(
         "<p>This command went on from step {} of a stopped run: pictures, charts and figures of the motion are those "
-        "from "
-        "there on{}.</p>\n",
-        *report.resumed_from_step, report.fit.passes.empty() ? "" : ", and nothing is shown of the first pass");
+        "from there on.</p>\n",
+        *report.resumed_from_step);
+  if (report.fit.resumed_after > 0)
+    html += fmt::format(
+        "<p>This command went on after pass {} of a stopped fit: nothing is shown of the passes before.</p>\n",
+        report.fit.resumed_after);
   html += "<dl class=\"figures\">";
   const auto figure = [&](const std::string& name, const std::string& value) {
     html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, value);

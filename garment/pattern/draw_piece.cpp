@@ -16,6 +16,7 @@ constexpr double kNotchGap = 8.0;         // mm between the two of a double notc
 constexpr double kLongSeam = 0.15;        // m: longer seams have two places with notches
 constexpr double kShortSeam = 0.05;       // m: shorter ones have none
 constexpr double kDrillBeforeTip = 10.0;  // mm
+constexpr double kNameBeyondTip = 8.0;    // mm, of a dart
 constexpr double kGrainLength = 100.0;    // mm
 constexpr double kNameHeight = 7.0, kTextHeight = 4.0, kSeamNameHeight = 2.8;  // mm
 
@@ -61,7 +62,7 @@ void addSeamNotches(const FlatPattern& pattern, const SewLine& line, DrawnPiece&
   }
 }
 
-void addDarts(const SewLine& line, DrawnPiece& piece) {
+void addDarts(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece) {
   for (size_t i = 0; i + 1 < line.edges.size(); ++i) {
     if (!line.edges[i].is_dart || !line.edges[i + 1].is_dart) continue;
     const PaperPoint p = line.edges[i].points.front(), tip = line.edges[i].points.back(),
@@ -72,6 +73,8 @@ void addDarts(const SewLine& line, DrawnPiece& piece) {
     for (const PaperPoint& mouth : {p, q}) addNotch(mouth, (mouth - tip).normalized(), piece);
     const PaperPoint axis = (0.5 * (p + q) - tip).normalized();
     piece.drills.push_back(tip + kDrillBeforeTip * axis);
+    piece.texts.push_back({tip - kNameBeyondTip * axis - PaperPoint(0.0, 0.5 * kSeamNameHeight), kSeamNameHeight, 0.0,
+                           pattern.cut.edges[line.numbers[i]].name});
     ++i;
   }
 }
@@ -191,7 +194,7 @@ std::vector<DrawnPiece> drawPieces(const FlatPattern& pattern, const Allowances&
         piece.name += " / " + drawn[q].name;
       }
     addSeamNotches(pattern, lines[p], piece);
-    addDarts(lines[p], piece);
+    addDarts(pattern, lines[p], piece);
     addWords(pattern, lines[p], piece);
     pieces.push_back(std::move(piece));
   }

@@ -6,7 +6,7 @@
 //                      15 cm, at the same share of the seam's length in the garment on both sides; two beside each
 //                      other where a back piece is sewn; at the mouth of darts, with a hole 1 cm before the tip
 //   grain              a line with arrows along the warp
-//   words              name, number, how often to cut it; along every seam its name
+//   words              name, number, how often to cut it; along every seam its name, that of a dart beyond its tip
 #pragma once
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 #include "garment/pattern/outline_crossing.h"
 #include "garment/pattern/overlap.h"
 #include "garment/pattern/piece_names.h"
+#include "garment/pattern/piece_warnings.h"
 #include "garment/pattern/slid_lines.h"
 
 namespace ease {
@@ -51,7 +52,6 @@ std::vector<double> restLengthsAlong(const std::vector<int>& vertices, const Fla
 void measure(const FlatSettings& settings, FlatPattern& pattern) {
   pattern.strains = threadStrains(pattern.flat, pattern.x);
   pattern.seams.clear();
-  pattern.warnings.clear();
   const Topology topology = buildTopology(pattern.cut.pieces.mesh, "the pattern's pieces");
   pattern.shares.clear();
   for (size_t e = 0; e < pattern.cut.edges.size(); ++e) {
@@ -75,16 +75,8 @@ void measure(const FlatSettings& settings, FlatPattern& pattern) {
     piece.darts = 0;
     for (const int e : pattern.cut.outlines[p]) piece.darts += isDartLeg(pattern.cut, e) ? 1 : 0;
     piece.darts /= 2;
-    if (piece.crosses_itself)
-      pattern.warnings.push_back(
-          fmt::format("piece '{}' overlaps itself when flat and cannot be cut: give it one more seam", piece.name));
-    if (!keeps(piece.strain, settings.limits))
-      pattern.warnings.push_back(
-          fmt::format("piece '{}': threads {:.1f} % over {:g} % on {:.1f} % of its area, shear {:.1f} degrees at 99 %: "
-                      "no dart that was tried reaches the limits; give it one more seam",
-                      piece.name, 100 * piece.strain.thread_p98, 100 * settings.limits.thread,
-                      100 * piece.strain.thread_over_share, piece.strain.shear_p99 * 180 / M_PI));
   }
+  pattern.warnings = pieceWarnings(pattern, settings.limits);
 }
 
 /// Flattens pieces once more that shear far less than they may, with softer shear; those stay that then went over it.

@@ -1,9 +1,11 @@
 #include "garment/pattern/sew_line.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "garment/pattern/equal_sides.h"
+#include "garment/pattern/outline_crossing.h"
 
 namespace ease {
 namespace {
@@ -62,21 +64,47 @@ double bendOf(const std::vector<PaperPoint>& points) {
   return bend;
 }
 
+/// The edges of a sew line between which it crosses itself, in pairs.
+std::vector<std::array<size_t, 2>> crossingEdges(const SewLine& line) {
+  std::vector<size_t> edge_of_point;
+  std::vector<int> outline;
+  size_t count = 0;
+  for (const SewnEdge& edge : line.edges) count += edge.points.size() - 1;
+  Positions x = Positions::Zero(static_cast<int>(count), 3);
+  for (size_t i = 0; i < line.edges.size(); ++i)
+    for (size_t k = 0; k + 1 < line.edges[i].points.size(); ++k) {
+      outline.push_back(static_cast<int>(outline.size()));
+      x.row(outline.back()).head<2>() = line.edges[i].points[k];
+      edge_of_point.push_back(i);
+    }
+  std::vector<std::array<size_t, 2>> edges;
+  for (const auto& [a, b] : crossings(outline, x)) edges.push_back({edge_of_point[a], edge_of_point[b]});
+  return edges;
+}
+
 /// Begins the line with an edge that is not the second leg of a dart, and draws legs straight from mouth to tip where
-/// both hardly bend.
+/// both hardly bend, or where the line would otherwise cross itself.
 void straightenDarts(const CutGarment& cut, SewLine& line) {
   const int last = line.numbers.back();
   if (line.edges.front().is_dart && cut.edges[line.numbers.front()].partner == last) {
     std::rotate(line.edges.begin(), line.edges.begin() + 1, line.edges.end());
     std::rotate(line.numbers.begin(), line.numbers.begin() + 1, line.numbers.end());
   }
-  for (size_t i = 0; i + 1 < line.edges.size(); ++i) {
-    SewnEdge &leg = line.edges[i], &back = line.edges[i + 1];
-    if (!leg.is_dart || cut.edges[line.numbers[i]].partner != line.numbers[i + 1]) continue;
-    if (std::max(bendOf(leg.points), bendOf(back.points)) < kStraight)
-      for (SewnEdge* edge : {&leg, &back}) edge->points = {edge->points.front(), edge->points.back()};
+  const auto isFirstLeg = [&](size_t i) {
+    return i + 1 < line.edges.size() && line.edges[i].is_dart &&
+           cut.edges[line.numbers[i]].partner == line.numbers[i + 1];
+  };
+  const auto straighten = [&](size_t i) {
+    for (SewnEdge* leg : {&line.edges[i], &line.edges[i + 1]}) leg->points = {leg->points.front(), leg->points.back()};
+  };
+  for (size_t i = 0; i < line.edges.size(); ++i) {
+    if (!isFirstLeg(i)) continue;
+    if (std::max(bendOf(line.edges[i].points), bendOf(line.edges[i + 1].points)) < kStraight) straighten(i);
     ++i;
   }
+  for (const std::array<size_t, 2>& pair : crossingEdges(line))
+    for (const size_t i : pair)
+      if (line.edges[i].is_dart) straighten(isFirstLeg(i) ? i : i - 1);
 }
 
 /// Points at equal distances along a closed line, beginning at the point `from`.

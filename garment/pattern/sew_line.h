@@ -7,7 +7,8 @@
 namespace ease {
 
 /// A piece's edges as they are drawn: smoothed over about 2 cm, the same way on both sides of a seam.  Legs of darts
-/// that bend by less than 2 mm are straight.  Both sides of a seam are equally long (equal_sides.h).
+/// that bend by less than 2 mm, or would cross the line elsewhere, are straight.  Both sides of a seam are equally long
+/// (equal_sides.h).
 struct SewLine {
   std::vector<SewnEdge> edges;  // in the order of CutGarment::outlines
   std::vector<int> numbers;     // of CutGarment::edges

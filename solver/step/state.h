@@ -15,4 +15,10 @@ struct State {
   std::vector<double> normal_forces = {};
 };
 
+/// Vertices that are held exactly at given positions.
+struct Pins {
+  std::vector<int> vertices;
+  std::vector<Vec3> positions;  // at the end of the step, m
+};
+
 }  // namespace ease

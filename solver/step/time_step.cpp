@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "solver/base/error.h"
 
@@ -21,21 +20,6 @@ constexpr int kMaxContactRounds = 4;
 constexpr double kStaleDistance = 4e-3;  // contacts are found again once a vertex has moved this far, m
 
 }  // namespace
-
-const std::vector<std::string>& methodNames() {
-  static const std::vector<std::string> names = {"bw1", "newton", "pd", "pd-lbfgs", "auto"};  // in the enum's order
-  return names;
-}
-
-const std::string& nameOf(Method method) {
-  return methodNames()[static_cast<size_t>(method)];
-}
-
-Method methodNamed(const std::string& name) {
-  const auto found = std::find(methodNames().begin(), methodNames().end(), name);
-  if (found == methodNames().end()) throw std::out_of_range(name);
-  return static_cast<Method>(found - methodNames().begin());
-}
 
 TimeStep::TimeStep(const Cloth& cloth, const MethodOptions& options, std::span<const int> ordering)
     : options_(options), potential_(cloth), fixed_(cloth.vertexCount(), 0) {
@@ -65,18 +49,6 @@ void TimeStep::liftOut(Positions& x) const {
   for (int i = 0; i < x.rows(); ++i) lift(i, contacts_.planes[i]);
   for (const auto& [sample, plane] : contacts_.seconds)
     if (sample < x.rows()) lift(sample, plane);
-}
-
-StepSummary& StepSummary::operator+=(const StepSummary& other) {
-  newton_iterations += other.newton_iterations;
-  projective_iterations += other.projective_iterations;
-  cg_iterations += other.cg_iterations;
-  factorisations += other.factorisations;
-  halvings += other.halvings;
-  contact_rounds += other.contact_rounds;
-  handed_over += other.handed_over;
-  short_of_tolerance += other.short_of_tolerance;
-  return *this;
 }
 
 void TimeStep::newton(const StopRule& stop, StepSummary& summary) {

@@ -2,6 +2,7 @@
 // body of circumference C1 lies between C1/(1 + delta) and C1/(1 + goal).
 #include <catch2/catch.hpp>
 
+#include "adaption/fit.h"
 #include "apps/scene_run.h"
 #include "tests/accuracy/tube.h"
 

@@ -30,6 +30,8 @@ TEST_CASE("a fit that goes on after a pass gives what an unbroken one gives, to 
   const auto report = nlohmann::json::parse(contentOf(directory.path / "half/report.json"));
   REQUIRE(report["adaption"]["passes"].size() == 3);
   CHECK(report["adaption"]["mode"] == "passes");
+  CHECK(report["resumed_after_passes"] == 2);
+  CHECK_FALSE(report.contains("resumed_from_step"));
   CHECK(report["sigma_1"].contains("before"));
   const auto& passes = report["adaption"]["passes"];
   CHECK(passes[2]["share_over_limit"] < passes[0]["share_over_limit"]);

@@ -194,8 +194,3 @@ TEST_CASE("auto hands over to Newton where the projective method is slow, and no
     CHECK((handed_over > 0) == hard);
   }
 }
-
-TEST_CASE("an unknown method has no name") {
-  CHECK(methodNamed("pd-lbfgs") == Method::pd_lbfgs);
-  CHECK_THROWS_AS(methodNamed("euler"), std::out_of_range);
-}

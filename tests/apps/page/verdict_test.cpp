@@ -43,3 +43,10 @@ TEST_CASE("a doubtful run says nothing, a sequential one was not checked, a simu
   report.resumed_from_step = 80;
   CHECK_THAT(verdictHtml(scene, report), Contains("went on from step 80"));
 }
+
+TEST_CASE("a fit that went on says after which pass") {
+  auto [scene, report] = fitted(0.0, 0.0);
+  CHECK_THAT(verdictHtml(scene, report), !Contains("went on"));
+  report.fit.resumed_after = 3;
+  CHECK_THAT(verdictHtml(scene, report), Contains("went on after pass 3 of a stopped fit"));
+}

@@ -43,3 +43,22 @@ TEST_CASE("a piece bears its name, how often to cut it, and a grain line along t
     CHECK((bounds.upper - end).minCoeff() > 0.0);
   }
 }
+
+TEST_CASE("a dart bears its name beyond its tip, within the piece") {
+  FlatSettings settings;
+  settings.max_darts = 0;
+  const FlatPattern pattern =
+      flattenGarment(restGarment(bentSheet(8, 0.4, [](double x, double y) { return 0.8 * (x * x + y * y); }),
+                                 {{"bust dart", {4, 13, 22, 31, 40}, false}}),
+                     settings);
+  const DrawnPiece piece = drawPieces(pattern, Allowances()).front();
+  const auto name = std::find_if(piece.texts.begin(), piece.texts.end(),
+                                 [](const DrawnText& text) { return text.words == "bust dart"; });
+  REQUIRE(name != piece.texts.end());
+  REQUIRE(piece.drills.size() == 1);
+  CHECK((name->at - piece.drills.front()).norm() > 15.0);  // on the other side of the tip
+  CHECK((name->at - piece.drills.front()).norm() < 22.0);
+  const Bounds bounds = boundsOf(piece.sew);
+  CHECK((name->at - bounds.lower).minCoeff() > 0.0);
+  CHECK((bounds.upper - name->at).minCoeff() > 0.0);
+}

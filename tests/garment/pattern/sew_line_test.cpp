@@ -48,6 +48,29 @@ TEST_CASE("legs of a dart are drawn straight and equally long") {
   CHECK(legs[0] == Approx(legs[1]).margin(2e-3));
 }
 
+TEST_CASE("curved legs of a dart that would cross are drawn straight") {
+  const RestGarment bowl = restGarment(bentSheet(8, 0.4, [](double x, double y) { return 0.8 * (x * x + y * y); }),
+                                       {{"dart", {4, 12, 20, 30, 39, 40}, false}});
+  FlatSettings settings;
+  settings.max_darts = 0;
+  FlatPattern pattern = flattenGarment(bowl, settings);
+  const auto legs = [&] {
+    std::vector<SewnEdge> found;
+    const std::vector<SewLine> lines = sewLines(pattern, Allowances());
+    for (const SewnEdge& edge : lines.front().edges)
+      if (edge.is_dart) found.push_back(edge);
+    return found;
+  };
+  REQUIRE(legs().size() == 2);
+  CHECK(legs().front().points.size() == 6);  // they bend, and do not cross
+  const PieceEdge& leg = pattern.cut.edges[pattern.seams.front().left];
+  const PieceEdge& other = pattern.cut.edges[pattern.seams.front().right];
+  for (const size_t i : {2, 3})  // beyond the other leg
+    pattern.x.row(leg.vertices[i]) += 1.5 * (pattern.x.row(other.vertices[5 - i]) - pattern.x.row(leg.vertices[i]));
+  CHECK_FALSE(overlapsItself(pattern.cut, 0, pattern.x));
+  for (const SewnEdge& drawn : legs()) CHECK(drawn.points.size() == 2);
+}
+
 TEST_CASE("darts are drawn where the triangles that are sewn again end") {
   const RestGarment bowl = restGarment(bentSheet(24, 0.5, [](double x, double y) { return 1.6 * (x * x + y * y); }));
   FlatSettings settings;
