@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "adaption/presence.h"
-#include "apps/pose_files.h"
+#include "apps/words.h"
 #include "solver/io/mesh_io.h"
 #include "solver/mesh/weld.h"
 

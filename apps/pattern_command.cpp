@@ -227,8 +227,8 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
     });
     made.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
     if (scene.pattern.check) {
-      fmt::print("pattern   {} pieces in {:.1f} s; the garment sewn from them is simulated\n", made.flat.pieces.size(),
-                 made.wall_s);
+      fmt::print("pattern   {} in {:.1f} s; the garment sewn from them is simulated\n",
+                 counted(static_cast<long>(made.flat.pieces.size()), "piece"), made.wall_s);
       std::fflush(stdout);
       made.resewn = sewAgain(scene, input, rest, settings, interrupted, made.flat);
       const Clock::time_point let_out = Clock::now();

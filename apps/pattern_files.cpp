@@ -8,6 +8,7 @@
 
 #include "apps/pattern_json.h"
 #include "apps/pattern_pictures.h"
+#include "apps/words.h"
 #include "garment/pattern/dxf_file.h"
 #include "garment/pattern/paper_tiles.h"
 #include "garment/pattern/sew_line.h"
@@ -36,17 +37,16 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
   for (const FlatPiece& piece : flat.pieces) {
     darts += piece.darts;
     text += fmt::format(
-        "{:<22} {:.3f} m^2, threads {:.1f} % at 98 %, over {:g} % on {:.2f} %, shear {:.1f} deg at 99 %, {} dart{}{}\n",
+        "{:<22} {:.3f} m^2, threads {:.1f} % at 98 %, over {:g} % on {:.2f} %, shear {:.1f} deg at 99 %, {}{}\n",
         piece.name, piece.strain.area, 100.0 * piece.strain.thread_p98, 100.0 * scene.pattern.limits.thread,
-        100.0 * piece.strain.thread_over_share, piece.strain.shear_p99 * 180.0 / M_PI, piece.darts,
-        piece.darts == 1 ? "" : "s",
+        100.0 * piece.strain.thread_over_share, piece.strain.shear_p99 * 180.0 / M_PI, counted(piece.darts, "dart"),
         piece.grain == 0.0 ? "" : fmt::format(", grain turned by {:+.0f} deg", piece.grain * 180.0 / M_PI));
   }
   text += fmt::format(
-      "pattern   {} pieces, {} darts, {:.2f} m to sew, sides equal within {:.2f} mm; {:.2f} m of cloth {:g} m wide; "
+      "pattern   {}, {}, {:.2f} m to sew, sides equal within {:.2f} mm; {:.2f} m of cloth {:g} m wide; "
       "{:.1f} s\n",
-      flat.pieces.size(), darts, seams, 1e3 * worst_side, 1e-3 * made.cloth_length_mm, scene.pattern.fabric_width,
-      made.wall_s);
+      counted(static_cast<long>(flat.pieces.size()), "piece"), counted(darts, "dart"), seams, 1e3 * worst_side,
+      1e-3 * made.cloth_length_mm, scene.pattern.fabric_width, made.wall_s);
   if (made.cuts)
     text += fmt::format(
         "cuts      found in {} steps in {:.1f} s: {} pieces, {:.2f} m of seams, and {:.2f} m without needless ones\n",
@@ -63,9 +63,8 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
     if (resewn.own.pose.empty() || resewn.poses.size() > 1 || pose.pose != resewn.own.pose) line(pose);
   if (resewn.has_limit)
     text += fmt::format(
-        "          over the limit: {:.2f} % of the triangles, {:.2f} % as designed; let out {} times, cloth {:+.2f} "
-        "%\n",
-        100.0 * resewn.over_limit, 100.0 * resewn.designed_over_limit, resewn.rounds,
+        "          over the limit: {:.2f} % of the triangles, {:.2f} % as designed; let out {}, cloth {:+.2f} %\n",
+        100.0 * resewn.over_limit, 100.0 * resewn.designed_over_limit, counted(resewn.rounds, "time"),
         100.0 * (resewn.area_ratio - 1.0));
   return text;
 }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "apps/mesh_list.h"
+#include "apps/words.h"
 #include "collision/body/rigid_alignment.h"
 #include "collision/triangle_tree.h"
 #include "garment/hole_filling.h"
@@ -230,11 +231,6 @@ void alignPoses(const Scene& scene, const Warn& warn, SceneInput& input) {
 }
 
 }  // namespace
-
-std::string counted(long count, const std::string& what) {
-  const std::string plural = what == "vertex" ? "vertices" : what + "s";
-  return fmt::format("{} {}", count, count == 1 ? what : plural);
-}
 
 void readFilePoses(const Scene& scene, const Positions* garment, const Warn& warn, const Pause& pause,
                    SceneInput& input) {

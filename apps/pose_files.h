@@ -15,7 +15,4 @@ void readFilePoses(const Scene& scene, const Positions* garment, const Warn& war
 /// take the shorter way through the body.
 void checkMotion(const Scene& scene, const SceneInput& input, const Warn& warn);
 
-/// "3 open edges", "1 open edge".
-std::string counted(long count, const std::string& what);
-
 }  // namespace ease

@@ -8,7 +8,7 @@
 
 #include "adaption/presence.h"
 #include "apps/garment_file.h"
-#include "apps/pose_files.h"
+#include "apps/words.h"
 #include "collision/triangle_tree.h"
 #include "solver/base/parallel.h"
 

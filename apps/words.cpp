@@ -1,5 +1,7 @@
 #include "apps/words.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace ease {
@@ -24,6 +26,11 @@ size_t keystrokesBetween(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::string counted(long count, const std::string& what) {
+  const std::string plural = what == "vertex" ? "vertices" : what + "s";
+  return fmt::format("{} {}", count, count == 1 ? what : plural);
+}
 
 std::string listWords(const std::vector<std::string>& words) {
   std::string list;

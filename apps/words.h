@@ -10,6 +10,9 @@ namespace ease {
 /// Joins the words to a list such as "'a', 'b' or 'c'".
 std::string listWords(const std::vector<std::string>& words);
 
+/// "3 open edges", "1 open edge".
+std::string counted(long count, const std::string& what);
+
 /// Returns the text with line ends and other control characters replaced by spaces.
 std::string oneLine(std::string_view text);
 

@@ -13,6 +13,9 @@ constexpr double kMitre = 3.5;     // widths from the corner, at most
 constexpr double kFold = 2.2;      // widths from the corner that a folded allowance may end at, at most
 constexpr double kSharp = 75.0;    // degrees: corners below have both allowances mirrored
 constexpr double kStraight = 2.0;  // degrees: an edge that goes on like this has no corner
+constexpr double kGentle = 50.0;   // degrees: where edges turn less, another width begins by a step
+constexpr double kSpike = -0.985;  // cosine of the turn, 170 degrees, from which a point is a spike
+constexpr double kAlike = 0.5;     // mm: widths that differ less count as one
 
 PaperPoint unit(const PaperPoint& p) {
   return p.normalized();
@@ -94,7 +97,7 @@ Corner reversed(const Corner& k) {
 void addCorner(const SewnEdge& before, const SewnEdge& after, std::vector<PaperPoint>& line) {
   const Corner k{before.points.back(), directionAt(before, true), directionAt(after, false), before.width, after.width};
   const double turn = std::atan2(cross(k.a, k.b), k.a.dot(k.b)) * 180.0 / M_PI;  // left turns are positive
-  if (std::abs(turn) < kStraight) {
+  if (std::abs(turn) < kStraight || (turn > 0.0 && turn < kGentle && std::abs(k.wa - k.wb) > kAlike)) {
     line.push_back(k.offsetA());
     line.push_back(k.offsetB());
     return;
@@ -171,6 +174,20 @@ void addInner(const SewnEdge& edge, std::vector<PaperPoint>& line) {
   }
 }
 
+/// Drops points at which a closed line goes back along itself: what lies between has no area.
+void dropSpikes(std::vector<PaperPoint>& line) {
+  for (size_t i = 0; i < line.size() && line.size() > 3;) {
+    const size_t n = line.size();
+    const PaperPoint there = line[(i + 1) % n] - line[i], back = line[i] - line[(i + n - 1) % n];
+    if (there.dot(back) >= kSpike * there.norm() * back.norm()) {
+      ++i;
+      continue;
+    }
+    line.erase(line.begin() + static_cast<std::ptrdiff_t>(i));
+    i -= std::min<size_t>(i, 1);
+  }
+}
+
 }  // namespace
 
 std::vector<PaperPoint> cutLine(const std::vector<SewnEdge>& edges) {
@@ -190,6 +207,7 @@ std::vector<PaperPoint> cutLine(const std::vector<SewnEdge>& edges) {
       addCorner(edge, next, line);
   }
   std::vector<PaperPoint> outside = outerBoundary(line);
+  dropSpikes(outside);
   if (outside.size() < 3) throw ComputationError("the seam allowance of a piece crosses itself lengthwise");
   return outside;
 }

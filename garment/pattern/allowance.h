@@ -11,6 +11,7 @@
 //   B
 //                and neither sticks out beyond it nor is too short
 //   two mirrors  both, where the corner is sharp and it does not matter which seam is pressed first
+//   step         where edges of different widths meet with hardly a corner, such as a bound neck and a shoulder
 //   dart         its legs have none; the cut line runs across the mouth as a roof, which lies on the cut line of the
 //                seam once the dart is folded
 //

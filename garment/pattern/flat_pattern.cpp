@@ -247,6 +247,10 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   if (left_out > 0)
     pattern.warnings.push_back(
         fmt::format("darts that would not open on the paper were left out: {}, give a seam there", left_out));
+  for (size_t l = given.seams.size(); l < asked; ++l)
+    pattern.warnings.push_back(
+        fmt::format("a piece is no disk and was opened along '{}': give a seam of your own if it is to be elsewhere",
+                    pattern.lines[l].seam.name));
   for (size_t l = asked; l < mended; ++l)
     pattern.warnings.push_back(
         fmt::format("a piece overlapped itself when flat and was cut in two along '{}': give a seam of your own if it "
@@ -268,9 +272,10 @@ FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& re
   again.strains = pattern.strains;
   again.warnings = pattern.warnings;
   for (size_t p = 0; p < again.pieces.size(); ++p) {
-    const int flipped = again.pieces[p].strain.flipped;
+    const StrainSummary now = again.pieces[p].strain;
     again.pieces[p].strain = pattern.pieces[p].strain;
-    again.pieces[p].strain.flipped = flipped;
+    again.pieces[p].strain.flipped = now.flipped;
+    again.pieces[p].strain.area = now.area;
   }
   return again;
 }

@@ -77,7 +77,7 @@ FlatPattern flattenGarment(const RestGarment& garment, const FlatSettings& setti
 double softerShear(const StrainSummary& strain, const FlatSettings& settings);
 
 /// Flattens the same pieces for another rest shape, from where they are, with a weight of cloth that is too large for
-/// every triangle.  Their strain stays that of the first one.
+/// every triangle.  Their strain stays that of the first one, their area becomes that of the new rest shape.
 FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges, const FlatSettings& settings,
                          const std::vector<double>& excess_of_triangle = {});
 

@@ -105,14 +105,19 @@ PdfPage coverPage(const Drawing& drawing, const Paper& paper, const std::vector<
   const PaperPoint box(kMargin + 5.0, kMargin + 5.0);
   cover.lines.push_back(boxLine(box, box + PaperPoint(kTestBox, kTestBox)));
   cover.texts.push_back({box + PaperPoint(0.5 * kTestBox, 0.5 * kTestBox - 1.5), 3.0, 0.0, "5 cm x 5 cm"});
-  const double scale = std::min(room_x / drawing.width, room_y / drawing.height);
-  const PaperPoint at(0.5 * (paper.width - scale * drawing.width), top - 38.0 - scale * drawing.height);
+  int columns = 0, rows = 0;
+  for (const Tile& tile : tiles) {
+    columns = std::max(columns, tile.column + 1);
+    rows = std::max(rows, tile.row + 1);
+  }
+  const double scale = std::min(room_x / (columns * step.x()), room_y / (rows * step.y()));
+  const PaperPoint at(0.5 * (paper.width - scale * columns * step.x()), top - 38.0 - scale * drawing.height);
   cover.views.push_back({at, scale, at, at + scale * PaperPoint(drawing.width, drawing.height)});
   for (const Tile& tile : tiles) {
     const PaperPoint lower(tile.column * step.x(), drawing.height - (tile.row + 1) * step.y());
     cover.lines.push_back(boxLine(at + scale * lower, at + scale * (lower + step)));
-    cover.texts.push_back(
-        {at + scale * (lower + 0.5 * step) - PaperPoint(0.0, 2.0), 4.0, 0.0, tileName(tile.row, tile.column)});
+    const PaperPoint corner = at + scale * (lower + PaperPoint(0.0, step.y()));  // beside the pieces' names
+    cover.texts.push_back({corner + PaperPoint(3.5, -4.0), 2.8, 0.0, tileName(tile.row, tile.column)});
   }
   return cover;
 }

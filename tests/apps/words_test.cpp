@@ -11,6 +11,13 @@ TEST_CASE("a list of words reads as English") {
   CHECK(listWords({"a", "b", "c"}) == "'a', 'b' or 'c'");
 }
 
+TEST_CASE("one thing is counted without an s") {
+  CHECK(counted(0, "dart") == "0 darts");
+  CHECK(counted(1, "dart") == "1 dart");
+  CHECK(counted(2, "piece") == "2 pieces");
+  CHECK(counted(3, "vertex") == "3 vertices");
+}
+
 TEST_CASE("a slip of the keyboard finds the word that was meant") {
   const std::vector<std::string> words = {"density", "stretch", "shear", "steps_per_pose"};
   CHECK(nearestWord("densty", words) == "density");    // a letter is missing

@@ -89,6 +89,11 @@ TEST_CASE("an impossible seam is refused by name") {
   request.to = "neck";
   CHECK_THROWS_AS(findSeams({request}, garment), InputError);
   CHECK_THROWS_WITH(findSeams({request}, garment), "seam 'side': loop 'neck': expected one of 'top', 'hem'");
+  SeamRequest later = kSide;
+  later.name = "back";
+  later.to = "sied";
+  CHECK_THROWS_WITH(findSeams({kSide, later}, garment),
+                    "seam 'back': loop 'sied': expected one of 'top', 'hem', 'side'");
   request = kSide;
   request.points[0].x() += 0.52;
   CHECK_THROWS_WITH(findSeams({request}, garment),

@@ -10,8 +10,8 @@ TEST_CASE("small scenes end where they ended before") {
   const std::filesystem::path directory = std::filesystem::path(kSourceDirectory) / "tests/golden";
   for (const GoldenCase& which : goldenCases()) {
     const KeptResult kept = readKept(directory / (which.name() + ".txt"));
-    // Builds of one name for two processors of one instruction set differ too: by 2e-9 m, since the compiler adds up in
-    // another order for each.
+    // Builds of one name differ too where they are made for another processor of that instruction set (2e-9 m, seen
+    // once).
     const double bound = kept.build == buildName() ? 1e-7 : 1e-6;
     INFO(which.name() << ", kept by " << kept.build << ", run by " << buildName()
                       << "; meant to change? script/renew_golden \"REASON\"");

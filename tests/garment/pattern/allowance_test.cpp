@@ -18,16 +18,20 @@ double distanceTo(const PaperPoint& x, const std::vector<PaperPoint>& line, bool
   return nearest;
 }
 
-/// Checks that the cut line is nowhere nearer to an edge than its width, and does not cross itself.
-void checkCut(const std::vector<SewnEdge>& edges, const std::vector<PaperPoint>& cut) {
-  for (const SewnEdge& edge : edges)
-    for (const PaperPoint& x : cut)
-      if (!edge.is_dart) CHECK(distanceTo(x, edge.points, false) > edge.width - 0.1);
+void checkDoesNotCross(const std::vector<PaperPoint>& cut) {
   double s = 0.0, t = 0.0;
   for (size_t i = 0; i < cut.size(); ++i)
     for (size_t j = i + 2; j < cut.size(); ++j)
       if (i > 0 || j + 1 < cut.size())
         CHECK_FALSE(crossing(cut[i], cut[(i + 1) % cut.size()], cut[j], cut[(j + 1) % cut.size()], s, t));
+}
+
+/// Checks that the cut line is nowhere nearer to an edge than its width, and does not cross itself.
+void checkCut(const std::vector<SewnEdge>& edges, const std::vector<PaperPoint>& cut) {
+  for (const SewnEdge& edge : edges)
+    for (const PaperPoint& x : cut)
+      if (!edge.is_dart) CHECK(distanceTo(x, edge.points, false) > edge.width - 0.1);
+  checkDoesNotCross(cut);
 }
 
 SewnEdge edge(const std::vector<PaperPoint>& points, double width, bool is_folded = false) {
@@ -42,6 +46,22 @@ TEST_CASE("a square has a square around it") {
   const std::vector<PaperPoint> cut = cutLine(edges);
   CHECK(areaWithin(cut) == Approx(120.0 * 120.0));
   checkCut(edges, cut);
+}
+
+TEST_CASE("a wide allowance that meets a narrow one with hardly a corner begins by a step") {
+  for (const double neck : {0.0, 5.0}) {
+    const std::vector<SewnEdge> edges = {
+        edge({{0, 0}, {200, 0}}, 15), edge({{200, 0}, {200, 100}}, 15),
+        edge({{200, 100}, {180, 108}, {160, 116}, {140, 124}, {120, 132}, {100, 140}}, 15),
+        edge({{100, 140}, {75, 143}, {50, 145}, {25, 146}, {0, 146}}, neck, true), edge({{0, 146}, {0, 0}}, 15)};
+    const std::vector<PaperPoint> cut = cutLine(edges);
+    checkDoesNotCross(cut);
+    for (size_t i = 0; i < cut.size(); ++i) {
+      const PaperPoint a = cut[(i + 1) % cut.size()] - cut[i],
+                       b = cut[(i + 2) % cut.size()] - cut[(i + 1) % cut.size()];
+      CHECK(a.dot(b) > -0.5 * a.norm() * b.norm());  // nowhere does the line turn back
+    }
+  }
 }
 
 TEST_CASE("a wide hem folded up ends on the cut line of the sides, at corners of any angle") {

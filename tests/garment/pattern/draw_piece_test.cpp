@@ -62,3 +62,12 @@ TEST_CASE("a dart bears its name beyond its tip, within the piece") {
   CHECK((name->at - bounds.lower).minCoeff() > 0.0);
   CHECK((bounds.upper - name->at).minCoeff() > 0.0);
 }
+
+TEST_CASE("a seam without allowance has marks where its notches would be") {
+  const RestGarment sheet = restGarment(bentSheet(20, 0.6, [](double, double) { return 0.0; }), {columnSeam(20, 10)});
+  Allowances none;
+  none.all = 0.0;
+  const DrawnPiece piece = drawPieces(flattenGarment(sheet, FlatSettings()), none).front();
+  REQUIRE(piece.notches.size() == 2);
+  for (const Notch& notch : piece.notches) CHECK(notch.depth >= 2.0);
+}

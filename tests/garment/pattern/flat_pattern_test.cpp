@@ -66,3 +66,10 @@ TEST_CASE("a piece far below the limit of shear shears more, so that its threads
   CHECK(softer.pieces.front().strain.thread_mean < 0.8 * stiffer.pieces.front().strain.thread_mean);
   CHECK(keeps(softer.pieces.front().strain, settings.limits));
 }
+
+TEST_CASE("a piece that had to be opened to lie flat is told") {
+  const FlatPattern pattern = flattenGarment(restGarment(cone(24, 6, 0.2, 0.3, false)), exactSettings());
+  REQUIRE(pattern.warnings.size() == 1);
+  CHECK(pattern.warnings.front().find("was opened along '" + pattern.lines.front().seam.name + "'") !=
+        std::string::npos);
+}

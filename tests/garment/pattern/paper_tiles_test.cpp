@@ -67,3 +67,18 @@ TEST_CASE("the test box measures 50 mm in the file as another program reads it")
   }
   CHECK(is_found);
 }
+
+TEST_CASE("the plan of all pages lies on the cover") {
+  Drawing sheet;
+  sheet.width = 1400.0;
+  sheet.height = 700.0;
+  sheet.pieces = {placed(plainPiece("wide", 1390.0, 690.0), false, {5.0, 5.0})};
+  const Paper paper;
+  const std::vector<PdfPage> pages = paperTiles(sheet, paper);
+  for (const DrawnLine& line : pages.front().lines)
+    for (const PaperPoint& p : line.points) {
+      CHECK(p.minCoeff() >= 0.0);
+      CHECK(p.x() <= paper.width);
+      CHECK(p.y() <= paper.height);
+    }
+}
