@@ -9,6 +9,7 @@
 
 #include "adaption/fit.h"
 #include "apps/doubts.h"
+#include "apps/finishing_always.h"
 #include "apps/frames.h"
 #include "apps/page/fit_page.h"
 #include "apps/painted_rest.h"
@@ -145,18 +146,6 @@ class Job {
       writeRestShape();
     };
     finishingAlways([&] { run.run(run_watch); }, finish);
-  }
-
-  /// Does the work, and then finishes, even if the work throws ComputationError.
-  template <class Work, class Finish>
-  static void finishingAlways(const Work& work, const Finish& finish) {
-    try {
-      work();
-    } catch (const ComputationError&) {
-      finish();
-      throw;
-    }
-    finish();
   }
 
   /// Fits the rest shape in passes (adaption/fit.h); the check writes the frames.

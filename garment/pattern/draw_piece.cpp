@@ -12,7 +12,7 @@ namespace ease {
 namespace {
 
 constexpr double kNotchDepth = 5.0;       // mm
-constexpr double kLeastNotch = 2.0;       // mm, also where there is no allowance: then it is a mark
+constexpr double kMinNotchDepth = 2.0;    // mm; without allowance a notch is a mark on the piece
 constexpr double kNotchGap = 8.0;         // mm between the two of a double notch
 constexpr double kLongSeam = 0.15;        // m: longer seams have two places with notches
 constexpr double kShortSeam = 0.05;       // m: shorter ones have none
@@ -34,7 +34,7 @@ double reach(const PaperPoint& from, const PaperPoint& direction, const std::vec
 void addNotch(const PaperPoint& on_sew_line, const PaperPoint& outward, DrawnPiece& piece) {
   const double width = std::max(0.0, reach(on_sew_line, outward, piece.cut));
   piece.notches.push_back(
-      {on_sew_line + width * outward, -outward, std::max(kLeastNotch, std::min(kNotchDepth, 0.6 * width))});
+      {on_sew_line + width * outward, -outward, std::max(kMinNotchDepth, std::min(kNotchDepth, 0.6 * width))});
 }
 
 bool isBack(const FlatPattern& pattern, int edge) {

@@ -37,11 +37,14 @@ std::vector<std::string> pieceWarnings(const FlatPattern& pattern, const StrainL
   for (size_t p = 0; p < pattern.pieces.size(); ++p) {
     const FlatPiece& piece = pattern.pieces[p];
     const double width = 2.0 * piece.strain.area / outlineLength(pattern, p);
-    if (piece.strain.area < kSmallestArea || width < kNarrowest)
+    if (piece.strain.area < kSmallestArea || width < kNarrowest) {
+      const std::string seams = seamsAround(pattern, p);
       warnings.push_back(
-          fmt::format("piece '{}' is too small to sew: {:.1f} cm^2, {:.1f} cm wide in the mean, between the seams {}: "
-                      "move one of them",
-                      piece.name, 1e4 * piece.strain.area, 100 * width, seamsAround(pattern, p)));
+          fmt::format("piece '{}' is too small to sew: {:.1f} cm^2, {:.1f} cm wide in the mean{}", piece.name,
+                      1e4 * piece.strain.area, 100 * width,
+                      seams.empty() ? "" : fmt::format(", between the seams {}: move one of them", seams)));
+      continue;
+    }
     if (piece.crosses_itself)
       warnings.push_back(
           fmt::format("piece '{}' overlaps itself when flat and cannot be cut: give it one more seam", piece.name));

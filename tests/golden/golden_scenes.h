@@ -32,7 +32,7 @@ std::vector<GoldenCase> goldenCases();
 /// at most, m.
 GoldenResult runGolden(const GoldenCase& which, double disturbance = 0.0);
 
-/// Compiler, its instruction set and optimisation: within one, results are the same to 1e-7 m; between two, to 1e-6 m.
+/// Compiler, its instruction set and optimisation: within one, results are the same to 1e-8 m; between two, to 1e-6 m.
 std::string buildName();
 
 /// A kept result and the build it comes from.
