@@ -130,8 +130,8 @@ void checkAllowanceNames(const Allowances& allowances, const CutGarment& cut) {
     if (edge.kind != LineKind::dart) known.insert(edge.name);
   for (const auto& [name, width] : allowances.by_name)
     if (!known.contains(name))
-      throw InputError(fmt::format("allowance.{}: no piece has such a seam or edge; there are {}", name,
-                                   listWords({known.begin(), known.end()})));
+      throw InputError(fmt::format("allowance.{}: no piece has such a seam or edge; {}", name,
+                                   adviceFor(name, {known.begin(), known.end()}, "there are")));
 }
 
 /// Throws InputError where the garment as it is before the run cannot be cut along its seams, lacks a seam or loop that

@@ -16,6 +16,8 @@ namespace ease {
 
 namespace {
 
+constexpr int kNameSize = 14, kDartNameSize = 11;  // pixels
+
 /// The pieces on their sheet, m; pieces that are mirror images of others lie beside it.
 TriangleMesh onSheet(const MadePattern& made) {
   const FlatPattern& flat = made.flat;
@@ -72,10 +74,11 @@ std::string drawSheetPicture(const Scene& scene, const MadePattern& made, const 
     for (const Notch& notch : piece.notches) view.lines.push_back(viewLine(notchLine(notch).points, false, Ink::notch));
     for (const DrawnLine& line : piece.lines)
       if (line.ink == Ink::grain) view.lines.push_back(viewLine(line.points, false, Ink::grain));
-    if (!piece.texts.empty()) {
-      const PaperPoint at = piece.texts.front().at;
-      view.labels.push_back({{1e-3 * at.x(), 1e-3 * at.y(), 0.0}, piece.name, 13});
-    }
+    for (const DrawnText& text : piece.texts)
+      if (text.in_picture)
+        view.labels.push_back({{1e-3 * text.at.x(), 1e-3 * text.at.y(), 0.0},
+                               text.words,
+                               &text == &piece.texts.front() ? kNameSize : kDartNameSize});
   }
   view.title = scene.name + ": sewing pattern";
   view.summary = fmt::format(

@@ -88,7 +88,10 @@ PatternScene readPattern(const TomlTable& table) {
     piece.allow({"name", "at"});
     if (!piece.has("name")) piece.refuse("name", "a name for the piece, e.g. 'front'");
     if (!piece.has("at")) piece.refuse("at", "a point on the piece, [x, y, z], m");
-    pattern.names.push_back({piece.text("name", ""), readVec3(piece, "at", Vec3::Zero(), 100.0, "m")});
+    const std::string name = piece.text("name", "");
+    if (std::any_of(pattern.names.begin(), pattern.names.end(), [&](const PieceName& p) { return p.name == name; }))
+      piece.refuse("name", "a name that no other piece has");
+    pattern.names.push_back({name, readVec3(piece, "at", Vec3::Zero(), 100.0, "m")});
   }
   return pattern;
 }

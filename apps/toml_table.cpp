@@ -69,12 +69,9 @@ void TomlTable::allow(std::initializer_list<std::string_view> keys) const {
   }
   if (!first) return;
 
-  const std::vector<std::string> words(keys.begin(), keys.end());
-  const std::string nearest = nearestWord(unknown, words);
-  const std::string advice =
-      nearest.empty() ? "known here: " + listWords(words) : fmt::format("did you mean '{}'?", nearest);
   throw InputError(fmt::format("{}{}'{}' is not a known {}; {}", data_->place(*first), data_->label(), unknown,
-                               first->is_table() || first->is_array_of_tables() ? "table" : "key", advice));
+                               first->is_table() || first->is_array_of_tables() ? "table" : "key",
+                               adviceFor(unknown, {keys.begin(), keys.end()}, "known here:")));
 }
 
 bool TomlTable::has(std::string_view key) const {

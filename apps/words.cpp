@@ -41,6 +41,11 @@ std::string listWords(const std::vector<std::string>& words) {
   return list;
 }
 
+std::string adviceFor(std::string_view word, const std::vector<std::string>& words, std::string_view known) {
+  const std::string nearest = nearestWord(word, words);
+  return nearest.empty() ? fmt::format("{} {}", known, listWords(words)) : fmt::format("did you mean '{}'?", nearest);
+}
+
 std::string oneLine(std::string_view text) {
   std::string line;
   for (const unsigned char c : text) line += c < ' ' || c == 127 ? ' ' : static_cast<char>(c);

@@ -13,6 +13,10 @@ std::string listWords(const std::vector<std::string>& words);
 /// "3 open edges", "1 open edge".
 std::string counted(long count, const std::string& what);
 
+/// "did you mean 'hem'?" where one of the words is near, otherwise `known` and all of them: "there are 'hem' or
+/// 'neck'".
+std::string adviceFor(std::string_view word, const std::vector<std::string>& words, std::string_view known);
+
 /// Returns the text with line ends and other control characters replaced by spaces.
 std::string oneLine(std::string_view text);
 

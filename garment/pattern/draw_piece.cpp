@@ -75,7 +75,7 @@ void addDarts(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece
     const PaperPoint axis = (0.5 * (p + q) - tip).normalized();
     piece.drills.push_back(tip + kDrillBeforeTip * axis);
     piece.texts.push_back({tip - kNameBeyondTip * axis - PaperPoint(0.0, 0.5 * kSeamNameHeight), kSeamNameHeight, 0.0,
-                           pattern.cut.edges[line.numbers[i]].name});
+                           pattern.cut.edges[line.numbers[i]].name, true});
     ++i;
   }
 }
@@ -141,7 +141,7 @@ void addWords(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece
   const double shift = 0.5 * scale * widest + 8.0;
   addGrain(depthWithin(middle - PaperPoint(shift, 0.0), piece.sew) > 5.0 ? middle - PaperPoint(shift, 0.0) : middle,
            piece);
-  piece.texts.push_back({middle + PaperPoint(0.0, 5.0 * scale), kNameHeight * scale, 0.0, piece.name});
+  piece.texts.push_back({middle + PaperPoint(0.0, 5.0 * scale), kNameHeight * scale, 0.0, piece.name, true});
   piece.texts.push_back({middle - PaperPoint(0.0, 4.0 * scale), kTextHeight * scale, 0.0, number});
   piece.texts.push_back({middle - PaperPoint(0.0, 11.0 * scale), kTextHeight * scale, 0.0, cut});
   for (size_t i = 0; i < line.edges.size(); ++i) {
@@ -195,8 +195,8 @@ std::vector<DrawnPiece> drawPieces(const FlatPattern& pattern, const Allowances&
         piece.name += " / " + drawn[q].name;
       }
     addSeamNotches(pattern, lines[p], piece);
-    addDarts(pattern, lines[p], piece);
     addWords(pattern, lines[p], piece);
+    addDarts(pattern, lines[p], piece);
     pieces.push_back(std::move(piece));
   }
   return pieces;

@@ -31,6 +31,7 @@ struct DrawnText {
   double height;  // mm, of a capital letter
   double angle;   // degrees, counter-clockwise
   std::string words;
+  bool in_picture = false;  // names of the piece and its darts, which are read at any size
 };
 
 /// A cut into the allowance, from the outline inwards.
@@ -55,7 +56,7 @@ struct DrawnPiece {
   std::vector<DrawnLine> lines;      // grain, legs of darts
   std::vector<Notch> notches;
   std::vector<PaperPoint> drills;
-  std::vector<DrawnText> texts;
+  std::vector<DrawnText> texts;  // its name first
 };
 
 /// Pieces on one sheet, from (0, 0) to (width, height).

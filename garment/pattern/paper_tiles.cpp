@@ -35,16 +35,22 @@ bool meets(const std::vector<PaperPoint>& line, bool is_closed, const PaperPoint
   return false;
 }
 
-/// Whether anything to be cut or sewn, or the test box, lies in a part of the drawing.
-bool isUsed(const Drawing& drawing, const PaperPoint& lower, const PaperPoint& upper) {
-  for (const DrawnPiece& piece : drawing.pieces) {
-    if (meets(piece.cut, true, lower, upper) || meets(piece.sew, true, lower, upper)) return true;
-    for (const DrawnLine& line : piece.lines)
-      if (meets(line.points, line.is_closed, lower, upper)) return true;
-    for (const DrawnText& text : piece.texts)
-      if (meets({text.at, text.at}, false, lower, upper)) return true;
-  }
+/// Whether anything of a piece lies in a part of the drawing.
+bool isWithin(const DrawnPiece& piece, const PaperPoint& lower, const PaperPoint& upper) {
+  if (meets(piece.cut, true, lower, upper) || meets(piece.sew, true, lower, upper)) return true;
+  for (const DrawnLine& line : piece.lines)
+    if (meets(line.points, line.is_closed, lower, upper)) return true;
+  for (const DrawnText& text : piece.texts)
+    if (meets({text.at, text.at}, false, lower, upper)) return true;
   return false;
+}
+
+/// Names of the pieces in a part of the drawing.
+std::vector<std::string> namesWithin(const Drawing& drawing, const PaperPoint& lower, const PaperPoint& upper) {
+  std::vector<std::string> names;
+  for (const DrawnPiece& piece : drawing.pieces)
+    if (isWithin(piece, lower, upper)) names.push_back(piece.name);
+  return names;
 }
 
 /// "A1": rows by letters from the top, columns by numbers from the left.
@@ -56,13 +62,31 @@ std::string tileName(int row, int column) {
 
 struct Tile {
   int row, column;
+  PaperPoint lower;                // its lower left corner in the drawing, mm
+  std::vector<std::string> names;  // of the pieces on it
 };
 
-/// The part of the drawing in one tile and the names of what lies beside it.
-PdfPage tilePage(const Paper& paper, const Tile& tile, const PaperPoint& lower, size_t number, size_t count) {
+bool isAmong(const std::vector<Tile>& tiles, int row, int column) {
+  return std::any_of(tiles.begin(), tiles.end(), [&](const Tile& t) { return t.row == row && t.column == column; });
+}
+
+/// The first names that fit, and how many more there are.
+std::string fewNames(const std::vector<std::string>& names) {
+  constexpr size_t kLetters = 40;
+  std::string text;
+  for (size_t i = 0; i < names.size(); ++i) {
+    if (i > 0 && text.size() + names[i].size() > kLetters) return fmt::format("{} and {} more", text, names.size() - i);
+    text += (i > 0 ? ", " : "") + names[i];
+  }
+  return text;
+}
+
+/// The part of the drawing in one tile, the names of the pieces on it and of the pages beside it.
+PdfPage tilePage(const Paper& paper, const std::vector<Tile>& tiles, size_t i) {
+  const Tile& tile = tiles[i];
   PdfPage page{paper.width, paper.height, {}, {}, {}};
   const PaperPoint from(kMargin, kMargin), to(paper.width - kMargin, paper.height - kMargin);
-  page.views.push_back({from + PaperPoint(0.0, kGlue) - lower, 1.0, from, to});
+  page.views.push_back({from + PaperPoint(0.0, kGlue) - tile.lower, 1.0, from, to});
   const PaperPoint inner_from = from + PaperPoint(0.0, kGlue), inner_to = to - PaperPoint(kGlue, 0.0);
   page.lines.push_back(boxLine(inner_from, inner_to));
   page.lines.push_back(boxLine(from, to));
@@ -85,11 +109,13 @@ PdfPage tilePage(const Paper& paper, const Tile& tile, const PaperPoint& lower, 
   const PaperPoint box = from + PaperPoint(4.0, 3.0);
   page.lines.push_back(boxLine(box, box + PaperPoint(kTestBox, 4.0)));
   page.texts.push_back({box + PaperPoint(0.5 * kTestBox, 0.8), 2.4, 0.0, "5 cm"});
-  page.texts.push_back(
-      {from + PaperPoint(0.5 * size.x() + 20.0, 3.5), 2.6, 0.0,
-       fmt::format("{}, page {} of {}; glue {} here", name, number, count, tileName(tile.row + 1, tile.column))});
-  page.texts.push_back({to - PaperPoint(3.0, 0.5 * size.y()), 2.6, 90.0,
-                        fmt::format("glue {} here", tileName(tile.row, tile.column + 1))});
+  std::string words = fmt::format("{}, page {} of {}: {}", name, i + 2, tiles.size() + 1, fewNames(tile.names));
+  if (isAmong(tiles, tile.row + 1, tile.column))
+    words += fmt::format("; glue {} here", tileName(tile.row + 1, tile.column));
+  page.texts.push_back({from + PaperPoint(0.5 * size.x() + 28.0, 3.5), 2.6, 0.0, words});
+  if (isAmong(tiles, tile.row, tile.column + 1))
+    page.texts.push_back({to - PaperPoint(3.0, 0.5 * size.y()), 2.6, 90.0,
+                          fmt::format("glue {} here", tileName(tile.row, tile.column + 1))});
   return page;
 }
 
@@ -114,9 +140,8 @@ PdfPage coverPage(const Drawing& drawing, const Paper& paper, const std::vector<
   const PaperPoint at(0.5 * (paper.width - scale * columns * step.x()), top - 38.0 - scale * drawing.height);
   cover.views.push_back({at, scale, at, at + scale * PaperPoint(drawing.width, drawing.height)});
   for (const Tile& tile : tiles) {
-    const PaperPoint lower(tile.column * step.x(), drawing.height - (tile.row + 1) * step.y());
-    cover.lines.push_back(boxLine(at + scale * lower, at + scale * (lower + step)));
-    const PaperPoint corner = at + scale * (lower + PaperPoint(0.0, step.y()));  // beside the pieces' names
+    cover.lines.push_back(boxLine(at + scale * tile.lower, at + scale * (tile.lower + step)));
+    const PaperPoint corner = at + scale * (tile.lower + PaperPoint(0.0, step.y()));  // beside the pieces' names
     cover.texts.push_back({corner + PaperPoint(3.5, -4.0), 2.8, 0.0, tileName(tile.row, tile.column)});
   }
   return cover;
@@ -129,17 +154,14 @@ std::vector<PdfPage> paperTiles(const Drawing& drawing, const Paper& paper) {
   const int columns = static_cast<int>(std::ceil(drawing.width / step.x())),
             rows = static_cast<int>(std::ceil(drawing.height / step.y()));
   std::vector<Tile> tiles;
-  std::vector<PaperPoint> lowers;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const PaperPoint lower(column * step.x(), drawing.height - (row + 1) * step.y());
-      if (!isUsed(drawing, lower, lower + step)) continue;
-      tiles.push_back({row, column});
-      lowers.push_back(lower);
+      std::vector<std::string> names = namesWithin(drawing, lower, lower + step);
+      if (!names.empty()) tiles.push_back({row, column, lower, std::move(names)});
     }
   std::vector<PdfPage> pages = {coverPage(drawing, paper, tiles, step)};
-  for (size_t i = 0; i < tiles.size(); ++i)
-    pages.push_back(tilePage(paper, tiles[i], lowers[i], i + 2, tiles.size() + 1));
+  for (size_t i = 0; i < tiles.size(); ++i) pages.push_back(tilePage(paper, tiles, i));
   return pages;
 }
 

@@ -83,4 +83,6 @@ TEST_CASE("wrong keys of [pattern] are refused with what was expected") {
   CHECK_THAT(errorOf(kCloth + "[pattern]\nformats = ['svg', 'hpgl']\n"), Contains("'hpgl' is none of them"));
   CHECK_THAT(errorOf(kCloth + "[pattern]\nallowance = 0.5\n"), Contains("a number from 0 to 0.2 m"));
   CHECK_THAT(errorOf(kCloth + "[[pattern.piece]]\nname = 'front'\n"), Contains("a point on the piece"));
+  const std::string front = "[[pattern.piece]]\nname = 'front'\nat = [0, 1, 0.1]\n";
+  CHECK_THAT(errorOf(kCloth + front + front), Contains("a name that no other piece has"));
 }

@@ -27,6 +27,11 @@ TEST_CASE("a slip of the keyboard finds the word that was meant") {
   CHECK(nearestWord("steps_per_step", words) == "steps_per_pose");
 }
 
+TEST_CASE("advice names the word that was meant, or all that there are") {
+  CHECK(adviceFor("hemm", {"hem", "neck"}, "there are") == "did you mean 'hem'?");
+  CHECK(adviceFor("cuff", {"hem", "neck"}, "there are") == "there are 'hem' or 'neck'");
+}
+
 TEST_CASE("a word like none of the known ones has no nearest word") {
   CHECK(nearestWord("colour", {"density", "stretch", "shear"}) == "");
   CHECK(nearestWord("x", {"to", "up"}) == "");

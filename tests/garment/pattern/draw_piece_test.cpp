@@ -55,6 +55,8 @@ TEST_CASE("a dart bears its name beyond its tip, within the piece") {
   const auto name = std::find_if(piece.texts.begin(), piece.texts.end(),
                                  [](const DrawnText& text) { return text.words == "bust dart"; });
   REQUIRE(name != piece.texts.end());
+  CHECK(name->in_picture);
+  CHECK(piece.texts.front().words == piece.name);  // also where there are darts
   REQUIRE(piece.drills.size() == 1);
   CHECK((name->at - piece.drills.front()).norm() > 15.0);  // on the other side of the tip
   CHECK((name->at - piece.drills.front()).norm() < 22.0);

@@ -26,6 +26,23 @@ TEST_CASE("tiles of paper leave out what is empty, and each has its name and a b
   CHECK(run("pdfinfo " + file.path()).output.find("595.276 x 841.89 pts (A4)") != std::string::npos);
 }
 
+TEST_CASE("a tile tells which pieces it shows, and what is glued to it only where there is a page") {
+  Drawing sheet;
+  sheet.width = 500.0;
+  sheet.height = 300.0;
+  sheet.pieces = {placed(plainPiece("one", 50.0, 50.0), false, {30.0, 100.0}),
+                  placed(plainPiece("two", 50.0, 50.0), false, {400.0, 100.0})};
+  const std::vector<PdfPage> pages = paperTiles(sheet, Paper());
+  const auto says = [&](size_t page, const std::string& words) {
+    return std::any_of(pages[page].texts.begin(), pages[page].texts.end(),
+                       [&](const DrawnText& text) { return text.words.find(words) != std::string::npos; });
+  };
+  REQUIRE(pages.size() == 3);  // the cover, A1 and A3
+  CHECK(says(1, "A1, page 2 of 3: one"));
+  CHECK(says(2, "A3, page 3 of 3: two"));
+  CHECK_FALSE(says(1, "glue"));
+}
+
 TEST_CASE("what lies at a place of the drawing is printed at one place of one tile, at its true size") {
   Drawing sheet;
   sheet.width = 400.0;
