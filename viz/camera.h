@@ -10,6 +10,7 @@ namespace ease {
 
 struct PictureSize {
   int width = 1, height = 1;  // pixels
+  bool operator==(const PictureSize&) const = default;
 };
 
 /// A half-line in space; `direction` is a unit vector.
@@ -28,6 +29,8 @@ struct Camera {
   double yaw_deg = 0.0;          // 0: from the front (+z); 90: from the wearer's left (+x)
   double pitch_deg = 5.0;        // above the horizon
   double view_angle_deg = 25.0;  // over the picture's height
+
+  bool operator==(const Camera&) const = default;
 
   /// Unit vectors: to the right and up in the picture, and towards the eye.
   Vec3 right() const;

@@ -15,9 +15,11 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <array>
 #include <set>
 
 #include "solver/base/error.h"
+#include "viz/kept_image.h"
 #include "viz/lights.h"
 #include "viz/offscreen.h"
 #include "viz/poly_data.h"
@@ -38,8 +40,6 @@ class Surface {
     normals_->SetNumberOfComponents(3);
     mapper_->SetColorModeToDirectScalars();
     mapper_->SetScalarModeToUseCellData();
-    mapper_->SetResolveCoincidentTopologyToPolygonOffset();  // marks on the surface are in front of it
-    mapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
     actor->SetMapper(mapper_);
     actor->GetProperty()->SetInterpolationToPhong();
     actor->GetProperty()->SetAmbient(0.35);
@@ -55,6 +55,8 @@ class Surface {
     data_->GetPointData()->SetNormals(normals_);
     mapper_->SetInputData(data_);
     shown_.resize(0, 3);
+    colors_.clear();
+    ++changes;
     move(mesh.positions);
     actor->SetVisibility(triangles_.rows() > 0);
   }
@@ -63,6 +65,7 @@ class Surface {
     if (!data_ || x.rows() != data_->GetNumberOfPoints()) return;
     if (shown_.rows() == x.rows() && shown_ == x) return;  // a body that stands still costs nothing
     shown_ = x;
+    ++changes;
     auto* points = vtkFloatArray::SafeDownCast(data_->GetPoints()->GetData());
     float* out = points->GetPointer(0);
     for (Eigen::Index i = 0; i < x.size(); ++i) out[i] = static_cast<float>(x.data()[i]);
@@ -73,7 +76,9 @@ class Surface {
   }
 
   void color(const std::vector<Rgb>& colors) {
-    if (!data_) return;
+    if (!data_ || colors == colors_) return;
+    colors_ = colors;
+    ++changes;
     if (static_cast<Eigen::Index>(colors.size()) != triangles_.rows()) {
       data_->GetCellData()->SetScalars(nullptr);
       mapper_->ScalarVisibilityOff();
@@ -88,6 +93,7 @@ class Surface {
   }
 
   vtkNew<vtkActor> actor;
+  long changes = 0;  // of triangles, positions and colours so far
 
  private:
   /// Vertex normals, weighted by the areas of the triangles around.
@@ -109,11 +115,15 @@ class Surface {
 
   Triangles triangles_;
   Positions shown_, sums_;
+  std::vector<Rgb> colors_;
   vtkNew<vtkFloatArray> normals_;
   vtkNew<vtkPolyDataMapper> mapper_;
   vtkSmartPointer<vtkPolyData> data_;
 };
 
+/// A mark lies on a surface and is drawn in front of it, by 1 / 65536 of the range of depths for each unit of `offset`
+/// below 0: 24 are 1.5 mm at 3 m.  Surfaces that were drawn behind where they are would not hide each other early,
+/// which takes the software half as long again.
 vtkSmartPointer<vtkActor> markActor(vtkPolyData* data, double offset) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
@@ -147,7 +157,7 @@ vtkSmartPointer<vtkActor> lineActor(const std::vector<MarkLine>& lines, double w
   data->SetPoints(points);
   data->SetLines(cells);
   data->GetCellData()->SetScalars(colors);
-  auto actor = markActor(data, -12);
+  auto actor = markActor(data, -24);
   actor->GetProperty()->SetLineWidth(static_cast<float>(width));
   return actor;
 }
@@ -174,16 +184,79 @@ vtkSmartPointer<vtkActor> dotActor(const std::vector<MarkDot>& dots) {
 
 }  // namespace
 
+/// What a picture of the body alone depends on.
+struct BodyView {
+  Camera camera;
+  PictureSize size{0, 0};
+  std::array<double, 2> clipping = {0.0, 0.0};  // distances from the eye between which things are drawn, m
+  long changes = -1;                            // of the body
+  bool operator==(const BodyView&) const = default;
+};
+
 struct LiveView::Parts {
   explicit Parts(Renderer kind) : context(kind) {}
+
+  /// Sets the distances between which things are drawn: as they were while all is between them and the camera stands
+  /// still, so that depths can be compared with those of an earlier picture.
+  std::array<double, 2> setClipping(const Camera& camera) {
+    renderer->ResetCameraClippingRange();
+    std::array<double, 2> needed{};
+    renderer->GetActiveCamera()->GetClippingRange(needed.data());
+    const std::array<double, 2> last = before.clipping;
+    const bool holds = camera == before.camera && last[0] <= needed[0] && needed[1] <= last[1];
+    std::array<double, 2> range = holds ? last : std::array<double, 2>{0.95 * needed[0], 1.05 * needed[1]};
+    renderer->GetActiveCamera()->SetClippingRange(range.data());
+    return range;
+  }
+
+  /// Draws the body without the rest.
+  void drawBody() {
+    const bool has_garment = garment.actor->GetVisibility() != 0;
+    garment.actor->SetVisibility(false);
+    for (const auto& mark : marks) mark->SetVisibility(false);
+    window->Render();
+    for (const auto& mark : marks) mark->SetVisibility(true);
+    garment.actor->SetVisibility(has_garment);
+  }
+
+  /// Draws all but the body over the image of it that was kept.
+  void drawOverBody() {
+    body_image.put(*window);
+    body.actor->SetVisibility(false);
+    renderer->PreserveColorBufferOn();
+    renderer->PreserveDepthBufferOn();
+    window->Render();
+    renderer->PreserveColorBufferOff();
+    renderer->PreserveDepthBufferOff();
+    body.actor->SetVisibility(true);
+  }
+
+  /// A body that stands still is drawn twice, the second time alone, and then no more.
+  void drawAll(const BodyView& view) {
+    const bool stands = view == before && body.actor->GetVisibility();
+    before = view;
+    if (stands && !(view == kept)) {
+      drawBody();
+      body_image.take(*window);
+      kept = view;
+    }
+    if (stands)
+      drawOverBody();
+    else
+      window->Render();
+  }
 
   OffscreenContext context;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   Surface body{kBodyColor}, garment{kClothColor};
   std::vector<vtkSmartPointer<vtkActor>> marks;
+  std::vector<MarkLine> lines;  // of which the marks are made
+  std::vector<MarkDot> dots;
   Picture picture;
   vtkNew<vtkUnsignedCharArray> pixels;
+  BodyView before, kept;  // of the picture before, and of the image
+  KeptImage body_image;
 };
 
 LiveView::LiveView(Renderer kind) : parts_(std::make_unique<Parts>(kind)) {
@@ -205,6 +278,7 @@ LiveView::LiveView(Renderer kind) : parts_(std::make_unique<Parts>(kind)) {
 LiveView::~LiveView() {
   const Quiet quiet;
   parts_->context.makeCurrent();
+  parts_->body_image.release(*parts_->window);
   parts_->window->Finalize();
 }
 
@@ -241,6 +315,9 @@ void LiveView::showEdges(bool are_shown) {
 }
 
 void LiveView::setMarks(const std::vector<MarkLine>& lines, const std::vector<MarkDot>& dots) {
+  if (lines == parts_->lines && dots == parts_->dots) return;
+  parts_->lines = lines;
+  parts_->dots = dots;
   parts_->context.makeCurrent();
   for (const auto& actor : parts_->marks) parts_->renderer->RemoveActor(actor);
   parts_->marks.clear();
@@ -259,9 +336,9 @@ const Picture& LiveView::draw(const Camera& camera, const PictureSize& size) {
   view->SetPosition(camera.eye().data());
   view->SetViewUp(camera.up().data());
   view->SetViewAngle(camera.view_angle_deg);
-  parts_->renderer->ResetCameraClippingRange();
   parts_->window->SetSize(size.width, size.height);
-  parts_->window->Render();
+  const std::array<double, 2> clipping = parts_->setClipping(camera);
+  parts_->drawAll({camera, size, clipping, parts_->body.changes});
   parts_->window->GetRGBACharPixelData(0, 0, size.width - 1, size.height - 1, 0, parts_->pixels);
   const auto count = static_cast<std::size_t>(4) * size.width * size.height;
   if (static_cast<std::size_t>(parts_->pixels->GetNumberOfValues()) != count)

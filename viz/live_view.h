@@ -21,12 +21,14 @@ struct MarkLine {
   bool is_closed = false;
   Rgb color = {0, 0, 0};
   double width = 3.0;  // pixels
+  bool operator==(const MarkLine&) const = default;
 };
 
 /// A round mark at a point.
 struct MarkDot {
   Vec3 at;  // m
   Rgb color;
+  bool operator==(const MarkDot&) const = default;
 };
 
 /// Pixels, four bytes each (red, green, blue, 255), rows from the lowest to the highest.
