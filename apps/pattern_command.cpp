@@ -21,6 +21,7 @@
 #include "apps/painted_rest.h"
 #include "apps/pattern_files.h"
 #include "apps/result_directory.h"
+#include "apps/run_inputs.h"
 #include "apps/scene_run.h"
 #include "apps/words.h"
 #include "solver/base/error.h"
@@ -113,6 +114,18 @@ void checkSameLimit(const nlohmann::json& report, const Scene& scene, const fs::
                   run.string(), inWords(of_run), inWords(limit)));
 }
 
+/// Throws InputError where a run was made with other tables of the scene, or other files named there.
+void checkSameInputs(const nlohmann::json& report, const Scene& scene, const fs::path& run) {
+  if (!report.contains("inputs")) return;  // of an earlier version
+  const std::vector<std::string> tables =
+      differingTables(report["inputs"].get<std::map<std::string, std::string>>(), runInputs(scene));
+  if (tables.empty()) return;
+  throw InputError(
+      fmt::format("{}: this run was made with another {} than the scene has now, or with other files named there: run "
+                  "the scene again, or give another directory by -o",
+                  run.string(), fmt::join(tables, ", ")));
+}
+
 /// Throws where a plane of symmetry is given that misses the garment.
 void checkPlane(const Scene& scene, const SceneInput& input) {
   const std::optional<double> plane = scene.pattern.cuts->settings.plane;
@@ -189,6 +202,7 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
     bool doubtful = false;
     if (const nlohmann::json report = finishedReport(run); !report.is_null()) {
       checkSameLimit(report, scene, run);
+      checkSameInputs(report, scene, run);
       for (const nlohmann::json& doubt : report.value("doubts", nlohmann::json::array())) {
         doubtful = true;
         say("warning", fmt::format("{}: {}: the pattern is that of a garment whose fit nothing is known of",

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "adaption/fit.h"
+#include "apps/run_inputs.h"
 #include "solver/base/whole_file.h"
 
 namespace ease {
@@ -112,6 +113,7 @@ Json toJson(const Report& report, const Scene& scene) {
   Json json;
   json["scene"] = scene.name;
   json["scene_file"] = std::filesystem::absolute(scene.file).lexically_normal().string();
+  json["inputs"] = report.inputs;
   json["version"] = EASE_VERSION;
   json["method"] = nameOf(scene.solver.method);
   json["vertices"] = report.vertices;
@@ -215,6 +217,7 @@ void describe(const Scene& scene, const SceneInput& input, const Cloth& cloth, R
   report.time_step_s = scene.solver.time_step;
   report.limit = scene.adaption ? scene.adaption->limit : 0.0;
   report.pose_names = input.pose_names;
+  report.inputs = runInputs(scene);
   report.warnings = input.warnings;
 }
 

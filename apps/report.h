@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,9 @@ struct Report {
   double time_step_s = 0.0;
   double limit = 0.0;  // delta: principal stretch at most 1 + delta; 0: no adaption
   std::vector<std::string> pose_names;
-  std::optional<int> resumed_from_step;  // time step at which a resumed run began; its counts start there
-  PassRecord run;                        // sum over all passes, where the rest shape is fitted in passes
+  std::map<std::string, std::string> inputs;  // hashes (run_inputs.h)
+  std::optional<int> resumed_from_step;       // time step at which a resumed run began; its counts start there
+  PassRecord run;                             // sum over all passes, where the rest shape is fitted in passes
   bool verified = false;
   PassRecord before, after;  // replays with the first and with the adapted rest shape
   FitState fit;              // its passes; none where the rest shape is not fitted in passes

@@ -9,6 +9,7 @@
 #include "adaption/growth_demand.h"
 #include "apps/painted_rest.h"
 #include "apps/scene_run.h"
+#include "apps/words.h"
 #include "solver/base/error.h"
 
 namespace ease {
@@ -181,7 +182,8 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
   const double first_area = clothArea(pattern);
   std::vector<double> excess(designed.edges.size(), settings.woven.excess);
   FlatPattern trial = pattern;
-  for (int round = 1; round <= scene.pattern.let_out && as_sewn.over_limit > wanted; ++round) {
+  int round = 1;
+  for (; round <= scene.pattern.let_out && as_sewn.over_limit > wanted; ++round) {
     replay.cloth().setRest(numbered(sewnEdges(trial)));
     if (!demand.letOut(replay.cloth())) break;
     const std::vector<Mat2> grown = restored(replay.cloth().restEdges(), numbering.garment.triangles);
@@ -198,7 +200,9 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
         fmt::format("the sewn garment is over the limit on {:.2f} % of the triangles, the designed one on {:.2f} %: "
                     "{}; give the pieces one more seam",
                     100 * result.over_limit, 100 * as_designed.over_limit,
-                    scene.pattern.let_out > 0 ? "letting out does not reach it" : "let_out = 0, they are not let out"));
+                    scene.pattern.let_out > 0
+                        ? fmt::format("{} of letting out do not reach it (let_out)", counted(round - 1, "round"))
+                        : "let_out = 0, they are not let out"));
   result.area_ratio = clothArea(pattern) / first_area;
   result.wall_s = wall();
   return result;

@@ -244,6 +244,15 @@ void checkLength(const TomlTable& root, const Scene& scene) {
       ->refuse("steps", fmt::format("at most {:.0f} time steps in all, found {:.0f}", kMaxTimeSteps, steps));
 }
 
+/// The tables that a run depends on as they are written, but for names of files, seams and the number of threads.
+std::map<std::string, std::string> tablesOfRun(const TomlTable& root, bool has_files) {
+  std::map<std::string, std::string> texts;
+  for (const char* name : {"body", "garment", "material", "solver", "collision", "adaption"})
+    if (const auto table = root.table(name))
+      texts[name] = table->written({has_files ? "poses" : "", "mesh", "seam", "threads"});
+  return texts;
+}
+
 Scene readRoot(const TomlTable& root, const std::filesystem::path& file, bool may_be_draft, bool names_folder) {
   root.allow({"name", "body", "garment", "material", "solver", "collision", "adaption", "output", "pattern"});
   Scene scene;
@@ -276,6 +285,7 @@ Scene readRoot(const TomlTable& root, const std::filesystem::path& file, bool ma
   if (const auto output = root.table("output")) scene.output = readOutput(*output, scene.adaption);
   if (const auto pattern = root.table("pattern")) scene.pattern = readPattern(*pattern);
   checkLength(root, scene);
+  scene.tables_of_run = tablesOfRun(root, scene.body && scene.body->builtin.empty());
   return scene;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -107,6 +108,7 @@ struct Scene {
   std::optional<AdaptionScene> adaption;
   std::optional<OutputScene> output;
   PatternScene pattern;
+  std::map<std::string, std::string> tables_of_run;  // as the file has them, but for names of files (run_inputs.h)
 };
 
 /// Whether the scene's rest shape is fitted in passes.

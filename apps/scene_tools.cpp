@@ -74,7 +74,9 @@ SeamRequest readSeam(const TomlTable& table, std::set<std::string>& names) {
   if (const auto plane = table.table("plane")) seam.plane = readPlane(*plane);
   for (const char* key : {"from", "to", "points"})
     if (seam.plane && table.has(key)) table.refuse(key, "either this or plane, not both");
-  if (table.has("from") != table.has("to")) table.refuse(table.has("to") ? "to" : "from", "both from and to");
+  if (table.has("to") && !table.has("from")) table.refuse("to", "from as well, where the seam begins");
+  if (table.has("from") && !table.has("to") && seam.points.empty())
+    table.refuse("from", "to as well, where the seam ends, or points, at the last of which a dart ends");
   if (!seam.plane && seam.from.empty() && seam.points.empty())
     table.refuse("from", "loops, from and to, or points of a closed seam, or a plane");
   return seam;

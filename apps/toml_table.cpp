@@ -74,6 +74,14 @@ void TomlTable::allow(std::initializer_list<std::string_view> keys) const {
                                adviceFor(unknown, {keys.begin(), keys.end()}, "known here:")));
 }
 
+std::string TomlTable::written(std::initializer_list<std::string_view> without) const {
+  toml::table table = *data_->table;
+  for (const std::string_view key : without) table.erase(key);
+  std::ostringstream out;
+  out << table;
+  return out.str();
+}
+
 bool TomlTable::has(std::string_view key) const {
   return data_->table->contains(key);
 }

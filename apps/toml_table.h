@@ -64,6 +64,9 @@ class TomlTable {
   /// All keys of the table, for one whose keys are names that users choose.
   std::vector<std::string> keys() const;
 
+  /// The table as TOML without comments and without these keys, sorted by key.
+  std::string written(std::initializer_list<std::string_view> without) const;
+
   /// Throws InputError with the key's line and value (or that it is missing) and with what was expected.
   [[noreturn]] void refuse(std::string_view key, const std::string& expected) const;
 

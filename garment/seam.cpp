@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>
 
+#include "collision/triangle_tree.h"
 #include "garment/nearness.h"
 #include "garment/seam_straightening.h"
 #include "garment/surface_path.h"
@@ -19,10 +21,48 @@ namespace {
   throw InputError(fmt::format("seam '{}': {}", seam, fault));
 }
 
+/// A point of a line that may slide along an edge of the mesh, to `t` of the way from `a` to `b`; where they are one
+/// point it is fixed.
+struct Sliding {
+  Vec3 a, b;
+  double t = 0.5;
+  Vec3 at() const { return (1.0 - t) * a + t * b; }
+};
+
+/// Slides points along their edges until the line through them is as short as it can be: each to where the line from
+/// its neighbour on one side to that on the other crosses the edge once both triangles are unfolded into a plane.
+void tighten(bool is_closed, std::vector<Sliding>& points) {
+  constexpr int kMaxSweeps = 2000;
+  constexpr double kSettled = 1e-7;  // m
+  const size_t n = points.size();
+  double moved = INFINITY;
+  for (int sweep = 0; sweep < kMaxSweeps && moved > kSettled; ++sweep) {
+    moved = 0.0;
+    for (size_t i = is_closed ? 0 : 1; i + (is_closed ? 0 : 1) < n; ++i) {
+      Sliding& point = points[i];
+      const Vec3 along = point.b - point.a;
+      const double length2 = along.squaredNorm();
+      if (length2 == 0.0) continue;
+      const auto place = [&](const Vec3& x) {  // share of the edge, and distance from its line
+        const double share = along.dot(x - point.a) / length2;
+        return std::pair(share, (x - point.a - share * along).norm());
+      };
+      const auto [before, far_before] = place(points[(i + n - 1) % n].at());
+      const auto [after, far_after] = place(points[(i + 1) % n].at());
+      const double far = far_before + far_after;
+      const double share = far > 0.0 ? (before * far_after + after * far_before) / far : 0.5 * (before + after);
+      const double t = std::clamp(share, 0.0, 1.0);
+      moved = std::max(moved, std::abs(t - point.t) * std::sqrt(length2));
+      point.t = t;
+    }
+  }
+}
+
 class SeamFinder {
  public:
   explicit SeamFinder(const LoopedMesh& garment)
       : garment_(garment),
+        surface_(garment.mesh.positions, garment.mesh.triangles),
         ends_(garment.loops),
         topology_(buildTopology(garment.mesh, "garment")),
         paths_(garment.mesh, topology_) {
@@ -55,8 +95,8 @@ class SeamFinder {
       const bool in_plane = request.plane.has_value();
       const int from = in_plane ? nearestVertex(line.points.front(), true)
                                 : nearestOf(verticesOf(request.name, request.from), line.points.front());
-      const int to = in_plane ? nearestVertex(line.points.back(), true)
-                              : nearestOf(verticesOf(request.name, request.to), line.points.back());
+      const int to = request.to.empty() ? nearestVertex(line.points.back(), in_plane)
+                                        : nearestOf(verticesOf(request.name, request.to), line.points.back());
       seam.vertices = chainBetween(name, line, from, to, {});
     } else {  // in three parts, because the shortest closed path from a vertex to itself is to stay there
       std::vector<int> corners;
@@ -92,20 +132,36 @@ class SeamFinder {
     return best;
   }
 
-  void append(const std::string& seam, int from, int to, std::vector<Vec3>& points) const {
+  void append(const std::string& seam, int from, int to, std::vector<Sliding>& points) const {
     const auto path = paths_.shortest(from, to);
     if (!path) refuse(seam, "it joins parts of the garment that are not connected");
-    for (const int node : *path) points.push_back(paths_.position(node));
+    for (const int node : *path) {
+      const EdgePoint point = paths_.point(node);
+      points.push_back({at(point.vertex[0]), at(point.vertex[1]), point.t});
+    }
+  }
+
+  static Sliding fixed(const Vec3& x) { return {x, x, 0.0}; }
+  Vec3 onSurface(const Vec3& x) const { return surface_.closest(x, 2.0 * kNearLine).point; }
+
+  /// The shortest line through these points.
+  static SeamLine tightened(std::vector<Sliding> points, bool is_closed) {
+    tighten(is_closed, points);
+    SeamLine line{{}, is_closed};
+    for (const Sliding& point : points) line.points.push_back(point.at());
+    return line;
   }
 
   SeamLine closedThrough(const SeamRequest& request) const {
     if (request.points.size() < 3)
       refuse(request.name, fmt::format("{} points: a closed seam needs at least 3", request.points.size()));
-    SeamLine line{{}, true};
-    for (size_t i = 0; i < request.points.size(); ++i)
+    std::vector<Sliding> points;
+    for (size_t i = 0; i < request.points.size(); ++i) {
+      points.push_back(fixed(onSurface(request.points[i])));
       append(request.name, paths_.nearestNode(request.points[i]),
-             paths_.nearestNode(request.points[(i + 1) % request.points.size()]), line.points);
-    return line;
+             paths_.nearestNode(request.points[(i + 1) % request.points.size()]), points);
+    }
+    return tightened(std::move(points), true);
   }
 
   /// The vertices of a loop, or of a seam found before.
@@ -119,9 +175,12 @@ class SeamFinder {
   }
 
   /// Finds the line between two loops.  It begins and ends at the loop vertex nearest to the first or last point;
-  /// without points, where the two loops are nearest to each other.
+  /// without points, where the two loops are nearest to each other.  A dart ends at the inner vertex nearest to its
+  /// last point.
   SeamLine betweenLoops(const SeamRequest& request) const {
-    const std::vector<int>&from = verticesOf(request.name, request.from), &to = verticesOf(request.name, request.to);
+    const std::vector<int>& from = verticesOf(request.name, request.from);
+    const std::vector<int> to = request.to.empty() ? std::vector<int>{nearestVertex(request.points.back(), false)}
+                                                   : verticesOf(request.name, request.to);
     const auto nearestTo = [&](const std::vector<int>& loop, const Vec3& x) { return nearestOf(loop, x); };
     int start = from.front(), end = to.front();
     if (!request.points.empty()) {
@@ -133,16 +192,17 @@ class SeamFinder {
       end = nearestTo(to, at(start));
     }
     if (start == end) refuse(request.name, "it begins where it ends");
-    SeamLine line{{at(start)}, false};
+    std::vector<Sliding> points = {fixed(at(start))};
     int node = paths_.nearestNodeOf(start);
-    for (const Vec3& x : request.points) {
-      const int next = paths_.nearestNode(x);
-      append(request.name, node, next, line.points);
+    for (size_t i = 0; i + (request.to.empty() ? 1 : 0) < request.points.size(); ++i) {
+      const int next = paths_.nearestNode(request.points[i]);
+      append(request.name, node, next, points);
+      points.push_back(fixed(onSurface(request.points[i])));
       node = next;
     }
-    append(request.name, node, paths_.nearestNodeOf(end), line.points);
-    line.points.push_back(at(end));
-    return line;
+    append(request.name, node, paths_.nearestNodeOf(end), points);
+    points.push_back(fixed(at(end)));
+    return tightened(std::move(points), false);
   }
 
   int nearestVertex(const Vec3& x, bool on_boundary) const {
@@ -203,6 +263,7 @@ class SeamFinder {
   }
 
   const LoopedMesh& garment_;
+  const TriangleTree surface_;
   std::vector<NamedLoop> ends_;  // what seams may begin and end on: the loops, and the seams found before
   Topology topology_;
   SurfacePaths paths_;

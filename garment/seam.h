@@ -1,8 +1,9 @@
 // Tool 6: seams, lines along which the garment can be cut for its sewing pattern.
 //
-// A seam is requested as the shortest path from loop to loop through given points, as a closed path through points, or
-// as a line along which a plane cuts.  It becomes a chain of the mesh's edges near that line; the chain's vertices are
-// then moved onto the line, evenly spaced, and their surroundings relaxed with them.
+// A seam is requested as the shortest path from loop to loop through given points, as one that ends at its last point
+// within the garment, which makes a dart, as a closed path through points, or as a line along which a plane cuts.  It
+// becomes a chain of the mesh's edges near that line; the chain's vertices are then moved onto the line, evenly spaced,
+// and their surroundings relaxed with them.
 #pragma once
 
 #include <optional>
@@ -16,7 +17,7 @@ namespace ease {
 
 struct SeamRequest {
   std::string name;
-  std::string from, to;      // names of loops or of seams above it; both empty: the seam is closed
+  std::string from, to;      // names of loops or of seams above it; both empty: closed; `to` empty: a dart
   std::vector<Vec3> points;  // m: points that the seam passes
   std::optional<PlaneNear> plane;
 };

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -11,30 +10,18 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "solver/base/error.h"
+#include "solver/io/vtk_silence.h"
 
 namespace ease {
 
-namespace {
-
-/// Notes that VTK reported an error, which it would otherwise print.
-class AnyError : public vtkCommand {
- public:
-  static AnyError* New() { return new AnyError; }
-  void Execute(vtkObject*, unsigned long, void*) override { raised = true; }
-  bool raised = false;
-};
-
-}  // namespace
-
 VtpMesh readVtpArrays(const std::filesystem::path& file, const std::vector<std::string>& names) {
   if (!std::filesystem::is_regular_file(file)) throw InputError(fmt::format("{}: no such file", file.string()));
-  vtkNew<AnyError> error;
+  const Silence silence;
   vtkNew<vtkXMLPolyDataReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, error);
   reader->SetFileName(file.c_str());
   reader->Update();
   vtkPolyData* data = reader->GetOutput();
-  if (error->raised || !data || data->GetNumberOfPoints() == 0 || data->GetNumberOfPolys() == 0)
+  if (silence.keeper->hasError() || !data || data->GetNumberOfPoints() == 0 || data->GetNumberOfPolys() == 0)
     throw InputError(fmt::format("{}: cannot be read: expected a mesh that Ease wrote", file.string()));
   VtpMesh result;
   result.mesh.positions.resize(data->GetNumberOfPoints(), 3);

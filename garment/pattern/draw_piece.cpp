@@ -5,63 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "garment/pattern/outline_crossing.h"
+#include "garment/pattern/notches.h"
 #include "garment/pattern/sew_line.h"
 
 namespace ease {
 namespace {
 
-constexpr double kNotchDepth = 5.0;       // mm
-constexpr double kMinNotchDepth = 2.0;    // mm; without allowance a notch is a mark on the piece
-constexpr double kNotchGap = 8.0;         // mm between the two of a double notch
-constexpr double kLongSeam = 0.15;        // m: longer seams have two places with notches
-constexpr double kShortSeam = 0.05;       // m: shorter ones have none
-constexpr double kDrillBeforeTip = 10.0;  // mm
-constexpr double kNameBeyondTip = 8.0;    // mm, of a dart
-constexpr double kGrainLength = 100.0;    // mm
+constexpr double kDrillBeforeTip = 10.0;                                       // mm
+constexpr double kNameBeyondTip = 8.0;                                         // mm, of a dart
+constexpr double kGrainLength = 100.0;                                         // mm
 constexpr double kNameHeight = 7.0, kTextHeight = 4.0, kSeamNameHeight = 2.8;  // mm
-
-/// Distance from a point to the closed line along a direction, mm; -1 if it does not meet the line.
-double reach(const PaperPoint& from, const PaperPoint& direction, const std::vector<PaperPoint>& line) {
-  double nearest = -1.0, s = 0.0, t = 0.0;
-  const PaperPoint to = from + 1e4 * direction;
-  for (size_t i = 0; i < line.size(); ++i)
-    if (crossing(from, to, line[i], line[(i + 1) % line.size()], s, t) && (nearest < 0.0 || 1e4 * s < nearest))
-      nearest = 1e4 * s;
-  return nearest;
-}
-
-void addNotch(const PaperPoint& on_sew_line, const PaperPoint& outward, DrawnPiece& piece) {
-  const double width = std::max(0.0, reach(on_sew_line, outward, piece.cut));
-  piece.notches.push_back(
-      {on_sew_line + width * outward, -outward, std::max(kMinNotchDepth, std::min(kNotchDepth, 0.6 * width))});
-}
-
-bool isBack(const FlatPattern& pattern, int edge) {
-  const std::string& name = pattern.pieces[pattern.cut.edges[edge].piece].name;
-  return name.find("back") != std::string::npos;
-}
-
-void addSeamNotches(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece) {
-  for (size_t i = 0; i < line.edges.size(); ++i) {
-    const int e = line.numbers[i], partner = pattern.cut.edges[e].partner;
-    if (partner < 0 || line.edges[i].is_dart) continue;
-    const auto seam = std::find_if(pattern.seams.begin(), pattern.seams.end(),
-                                   [&](const SeamSides& s) { return s.left == std::min(e, partner); });
-    if (seam->rest_length < kShortSeam) continue;
-    const bool is_double = isBack(pattern, e) || isBack(pattern, partner);
-    const std::vector<double> places =
-        seam->rest_length > kLongSeam ? std::vector<double>{1.0 / 3.0, 2.0 / 3.0} : std::vector<double>{0.5};
-    const double apart = is_double ? 0.5e-3 * kNotchGap / seam->rest_length : 0.0;
-    for (const double place : places)
-      for (const double share :
-           is_double ? std::vector<double>{place - apart, place + apart} : std::vector<double>{place}) {
-        PaperPoint along;
-        const PaperPoint at = pointAt(pattern, line.edges[i], e, share, along);
-        addNotch(at, {along.y(), -along.x()}, piece);
-      }
-  }
-}
 
 void addDarts(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece) {
   for (size_t i = 0; i + 1 < line.edges.size(); ++i) {
@@ -129,13 +82,36 @@ std::string cutText(const DrawnPiece& piece, double grain) {
   return text;
 }
 
-/// Name, number and grain in the middle of the piece, names along the seams.
-void addWords(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece) {
+/// Letters of a text in UTF-8.
+size_t lettersOf(const std::string& words) {
+  return static_cast<size_t>(
+      std::count_if(words.begin(), words.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// A seam's name and to which piece it is sewn, by that piece's name, or by its number where there is less room;
+/// `length`: the room, mm.
+std::string seamWords(const FlatPattern& pattern, const PieceEdge& edge, const DrawnPiece& piece,
+                      const std::vector<int>& numbers, double length) {
+  if (edge.partner < 0) return edge.name;
+  const int other = pattern.cut.edges[edge.partner].piece;
+  if (other == edge.piece) return edge.name;
+  const auto fits = [&](const std::string& words) {
+    return 0.6 * kSeamNameHeight * static_cast<double>(lettersOf(words)) <= length;
+  };
+  const std::string by_name =
+      edge.name + " > " + (other == piece.twin ? "its mirror image" : pattern.pieces[other].name);
+  if (fits(by_name) && (piece.twin < 0 || other == piece.twin)) return by_name;
+  const std::string by_number = fmt::format("{} > {}", edge.name, numbers[other]);
+  return fits(by_number) ? by_number : edge.name;
+}
+
+/// Name, number and grain in the middle of the piece, names along the seams.  `numbers`: of all pieces, as drawn.
+void addWords(const FlatPattern& pattern, const SewLine& line, const std::vector<int>& numbers, DrawnPiece& piece) {
   const PaperPoint middle = middleOf(piece.sew);
   const double room = std::max(20.0, 2.0 * depthWithin(middle, piece.sew));
   const std::string number = fmt::format("piece {} of {}", piece.number, piece.of),
                     cut = cutText(piece, pattern.pieces[piece.source].grain);
-  const double widest = std::max({0.62 * kNameHeight * static_cast<double>(piece.name.size()),
+  const double widest = std::max({0.62 * kNameHeight * static_cast<double>(lettersOf(piece.name)),
                                   0.62 * kTextHeight * static_cast<double>(std::max(number.size(), cut.size()))});
   const double scale = std::min(1.0, 0.8 * room / (widest + 12.0));
   const double shift = 0.5 * scale * widest + 8.0;
@@ -153,11 +129,8 @@ void addWords(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece
     const PaperPoint inward(-along.y(), along.x());
     const bool is_reversed = angle > 90.0 || angle <= -90.0;
     if (is_reversed) angle += angle > 0.0 ? -180.0 : 180.0;
-    std::string words = edge.name;
-    if (edge.partner >= 0 && pattern.cut.edges[edge.partner].piece != edge.piece)
-      words += " > " + pattern.pieces[pattern.cut.edges[edge.partner].piece].name;
     const double length = (line.edges[i].points.back() - line.edges[i].points.front()).norm();
-    if (0.6 * kSeamNameHeight * static_cast<double>(words.size()) > length) words = edge.name;
+    const std::string words = seamWords(pattern, edge, piece, numbers, length);
     piece.texts.push_back({at + inward * (is_reversed ? 2.0 + kSeamNameHeight : 2.0), kSeamNameHeight, angle, words});
   }
 }
@@ -179,13 +152,17 @@ std::vector<DrawnPiece> drawPieces(const FlatPattern& pattern, const Allowances&
     piece.cut = cutLine(lines[p].edges);
     drawn.push_back(std::move(piece));
   }
+  std::vector<std::vector<PaperPoint>> cuts;
+  for (const DrawnPiece& piece : drawn) cuts.push_back(piece.cut);
   const std::vector<int> mirror = mirrorPieces(drawn);
-  const int count = static_cast<int>(std::count(mirror.begin(), mirror.end(), -1));
+  std::vector<int> numbers;  // from 1; of mirror images the same
+  int count = 0;
+  for (const int image_of : mirror) numbers.push_back(image_of < 0 ? ++count : numbers[image_of]);
   std::vector<DrawnPiece> pieces;
   for (size_t p = 0; p < drawn.size(); ++p) {
     if (mirror[p] >= 0) continue;
     DrawnPiece& piece = drawn[p];
-    piece.number = static_cast<int>(pieces.size()) + 1;
+    piece.number = numbers[p];
     piece.of = count;
     for (size_t q = p + 1; q < drawn.size(); ++q)
       if (mirror[q] == static_cast<int>(p)) {
@@ -194,8 +171,8 @@ std::vector<DrawnPiece> drawPieces(const FlatPattern& pattern, const Allowances&
         piece.twin = static_cast<int>(q);
         piece.name += " / " + drawn[q].name;
       }
-    addSeamNotches(pattern, lines[p], piece);
-    addWords(pattern, lines[p], piece);
+    addSeamNotches(pattern, lines, cuts, piece);
+    addWords(pattern, lines[p], numbers, piece);
     addDarts(pattern, lines[p], piece);
     pieces.push_back(std::move(piece));
   }

@@ -1,12 +1,10 @@
 // Draws the pieces of a flat pattern with all that a tailor needs to cut and sew them.
 //
 //   cut and sew line   allowance.h; the legs of darts straight and equally long
-//   notches            on the sew line's seams at the middle, or at a third and two thirds where the seam is longer
-//   than
-//                      15 cm, at the same share of the seam's length in the garment on both sides; two beside each
-//                      other where a back piece is sewn; at the mouth of darts, with a hole 1 cm before the tip
+//   notches            of seams (notches.h) and at the mouth of darts, with a hole 1 cm before the tip
 //   grain              a line with arrows along the warp
-//   words              name, number, how often to cut it; along every seam its name, that of a dart beyond its tip
+//   words              name, number, how often to cut it; along every seam its name and that of the piece to which it
+//                      is sewn; the name of a dart beyond its tip
 #pragma once
 
 #include <algorithm>

@@ -11,17 +11,34 @@ namespace {
 constexpr double kTextHeight = 2.5;  // mm
 constexpr double kCorner = 15.0;     // degrees: a larger turn of the cut line is a corner
 
+/// ASCII for the letters U+00C0 to U+00FF, by which they are spelt where there is no better.
+constexpr const char* kSpelt[] = {"A", "A", "A", "A", "Ae", "A", "Ae", "C", "E", "E", "E", "E", "I",  "I", "I",  "I",
+                                  "D", "N", "O", "O", "O",  "O", "Oe", "x", "O", "U", "U", "U", "Ue", "Y", "Th", "ss",
+                                  "a", "a", "a", "a", "ae", "a", "ae", "c", "e", "e", "e", "e", "i",  "i", "i",  "i",
+                                  "d", "n", "o", "o", "o",  "o", "oe", "/", "o", "u", "u", "u", "ue", "y", "th", "y"};
+
+static_assert(std::size(kSpelt) == 64);
+
+/// A text in UTF-8 without letters that the format lacks; a question mark for what cannot be spelt.
+std::string ascii(const std::string& words) {
+  std::string text;
+  for (size_t i = 0; i < words.size(); ++i) {
+    const auto c = static_cast<unsigned char>(words[i]);
+    if (c < 0x80)
+      text += words[i];
+    else if (c == 0xC3 && i + 1 < words.size())
+      text += kSpelt[static_cast<unsigned char>(words[++i]) & 0x3F];
+    else if ((c & 0xC0) != 0x80)  // the first byte of a letter
+      text += '?';
+  }
+  return text;
+}
+
 /// A name of a block: letters, digits and underscores alone, as R12 allows.
 std::string blockName(const DrawnPiece& piece) {
   std::string name;
-  for (const char c : piece.name) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  for (const char c : ascii(piece.name)) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
   return fmt::format("{}_{}", piece.number, name);
-}
-
-std::string ascii(const std::string& words) {
-  std::string text;
-  for (const char c : words) text += static_cast<unsigned char>(c) < 0x80 ? c : '?';
-  return text;
 }
 
 class DxfWriter {

@@ -112,18 +112,18 @@ bool isOpen(const PieceEdge& in, const PieceEdge& out, const Positions& x) {
   return to_tip.cross(to_mouth).z() < 0.0;
 }
 
-/// Number of the line of a dart, from `first_line` on, without which a piece that overlaps itself might not: one that
-/// is not open, otherwise the piece's last; -1: none.
-int dartToLeaveOut(const FlatPattern& pattern, size_t first_line) {
+/// Number of the line of a dart without which a piece that overlaps itself might not: one that is not open, otherwise
+/// the piece's last from `first_found` on, which nobody gave; -1: none.
+int dartToLeaveOut(const FlatPattern& pattern, size_t first_found) {
   for (size_t p = 0; p < pattern.pieces.size(); ++p) {
     if (!pattern.pieces[p].crosses_itself) continue;
     int last = -1;
     for (const int e : pattern.cut.outlines[p]) {
       const PieceEdge& leg = pattern.cut.edges[e];
-      if (!isDartLeg(pattern.cut, e) || leg.line < static_cast<int>(first_line)) continue;
+      if (!isDartLeg(pattern.cut, e)) continue;
       const PieceEdge& other = pattern.cut.edges[leg.partner];
       if (leg.vertices.back() == other.vertices.front() && !isOpen(leg, other, pattern.x)) return leg.line;
-      last = std::max(last, leg.line);
+      if (leg.line >= static_cast<int>(first_found)) last = std::max(last, leg.line);
     }
     if (last >= 0) return last;
   }
@@ -219,7 +219,17 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   pattern.lines = makeDisks(given.mesh, given.rest_edges, pattern.lines, given.loops);
   const size_t asked = pattern.lines.size();
   pattern.lines = withoutOverlaps(given, pattern.lines, settings);
-  const size_t mended = pattern.lines.size();
+  size_t mended = pattern.lines.size();
+  std::vector<std::string> warnings;
+  for (size_t l = given.seams.size(); l < asked; ++l)
+    warnings.push_back(
+        fmt::format("a piece is no disk and was opened along '{}': give a seam of your own if it is to be elsewhere",
+                    pattern.lines[l].seam.name));
+  for (size_t l = asked; l < mended; ++l)
+    warnings.push_back(
+        fmt::format("a piece overlapped itself when flat and was cut in two along '{}': give a seam of your own if it "
+                    "is to be elsewhere",
+                    pattern.lines[l].seam.name));
   std::vector<Seam> seams;
   for (const CutLine& line : pattern.lines) seams.push_back(line.seam);
   const Pieces pieces = cutIntoPieces(given.mesh, seams);
@@ -236,26 +246,25 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
     if (pattern.lines.size() == before) break;
   }
   flattenAlongLines(pieces, grain, settings, pattern);
-  // A dart that opened along the mesh's edges may close once the lines slid.
+  // A dart that opened along the mesh's edges may close once the lines slid, and a given one may never have opened.
   int left_out = 0;
   for (int l = dartToLeaveOut(pattern, mended); l >= 0; l = dartToLeaveOut(pattern, mended)) {
-    ++left_out;
-    leaveOut(l, pattern.lines);
+    if (l < static_cast<int>(mended)) {
+      warnings.push_back(
+          fmt::format("the dart '{}' would not open on the paper and was left out", pattern.lines[l].seam.name));
+      pattern.lines.erase(pattern.lines.begin() + l);
+      --mended;
+    } else {
+      ++left_out;
+      leaveOut(l, pattern.lines);
+    }
     pattern.slid = slideLines(given, pattern.lines);
     flattenAlongLines(pieces, grain, settings, pattern);
   }
   if (left_out > 0)
-    pattern.warnings.push_back(
+    warnings.push_back(
         fmt::format("darts that would not open on the paper were left out: {}, give a seam there", left_out));
-  for (size_t l = given.seams.size(); l < asked; ++l)
-    pattern.warnings.push_back(
-        fmt::format("a piece is no disk and was opened along '{}': give a seam of your own if it is to be elsewhere",
-                    pattern.lines[l].seam.name));
-  for (size_t l = asked; l < mended; ++l)
-    pattern.warnings.push_back(
-        fmt::format("a piece overlapped itself when flat and was cut in two along '{}': give a seam of your own if it "
-                    "is to be elsewhere",
-                    pattern.lines[l].seam.name));
+  pattern.warnings.insert(pattern.warnings.end(), warnings.begin(), warnings.end());
   return pattern;
 }
 

@@ -84,8 +84,9 @@ class Removal {
     std::vector<Candidate> candidates;
     for (size_t s = kept_.size(); s < seams_.size(); ++s) {
       Candidate candidate{{s}, {}, 0.0, {}};
-      if (const std::optional<size_t> image = mirror_ ? imageOf(s) : std::nullopt; image && *image != s) {
-        if (*image < s) continue;  // tried already
+      if (mirror_ && std::abs(middleOf(s).x() - *mirror_) > kMirrorReach) {
+        const std::optional<size_t> image = imageOf(s);
+        if (!image || imageOf(*image) != s || *image < s) continue;  // without its image it stays; or tried already
         candidate.seams.push_back(*image);
       }
       bool is_between = true;

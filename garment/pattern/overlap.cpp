@@ -60,15 +60,28 @@ std::vector<int> cutThrough(const PieceMesh& part, const FlatSettings& settings)
   return way.size() > 2 ? way : std::vector<int>{};
 }
 
+/// The seams of lines but for darts, which end where neither the garment nor another line does.
+std::vector<Seam> dividingSeams(const std::vector<CutLine>& lines, const Topology& topology, int vertices) {
+  std::vector<int> lines_at(vertices, 0);
+  for (const std::vector<int>& loop : topology.boundary_loops)
+    for (const int v : loop) ++lines_at[v];
+  for (const CutLine& line : lines)
+    for (const int v : line.seam.vertices) ++lines_at[v];
+  std::vector<Seam> seams;
+  for (const CutLine& line : lines)
+    if (line.seam.is_closed || lines_at[line.seam.vertices.back()] > 1) seams.push_back(line.seam);
+  return seams;
+}
+
 }  // namespace
 
 std::vector<CutLine> withoutOverlaps(const RestGarment& garment, const std::vector<CutLine>& lines,
                                      const FlatSettings& settings) {
   std::vector<CutLine> all = lines;
+  const Topology topology = buildTopology(garment.mesh, "the garment");
   for (int round = 0; round < kMaxCuts; ++round) {
-    std::vector<Seam> seams;
-    for (const CutLine& line : all) seams.push_back(line.seam);
-    const Pieces pieces = cutIntoPieces(garment.mesh, seams);
+    const Pieces pieces =
+        cutIntoPieces(garment.mesh, dividingSeams(all, topology, static_cast<int>(garment.mesh.positions.rows())));
     std::vector<std::vector<int>> cuts(pieces.count);
     parallelFor(pieces.count, 1, [&](int p) {
       const PieceMesh part = partOf(garment, pieces, p);

@@ -40,6 +40,16 @@ std::vector<Place> placesOf(const CutGarment& cut, const TriangleMesh& garment) 
   return places;
 }
 
+/// Where the garment's middle is, from the wearer's right to the left, m.
+double middleOf(const std::vector<Place>& places) {
+  double sum = 0.0, area = 0.0;
+  for (const Place& place : places) {
+    sum += place.area * place.middle.x();
+    area += place.area;
+  }
+  return sum / area;
+}
+
 /// Lengths of all loops, m.
 std::map<std::string, double> wholeLoops(const std::vector<Place>& places) {
   std::map<std::string, double> whole;
@@ -123,9 +133,12 @@ std::vector<std::string> pieceNames(const CutGarment& cut, const TriangleMesh& g
   };
   tellApart(
       places, [](const Place& p, const Place&) -> std::string { return frontOrBack(p); }, names);
-  tellApart(
-      places, [&](const Place& p, const Place& q) { return beside(p.middle.x(), q.middle.x(), "left", "right"); },
-      names);
+  const double middle = middleOf(places);
+  const auto side = [&](const Place& p, const Place& q) -> std::string {  // none for what lies across the middle
+    const std::string word = beside(p.middle.x(), q.middle.x(), "left", "right");
+    return word == beside(p.middle.x(), middle, "left", "right") ? word : "";
+  };
+  tellApart(places, side, names);
   tellApart(
       places, [&](const Place& p, const Place& q) { return beside(p.middle.y(), q.middle.y(), "upper", "lower"); },
       names);

@@ -45,6 +45,13 @@ TEST_CASE("pattern runs a scene, writes its pattern and how the garment sewn fro
   REQUIRE(again.code == 0);
   CHECK_THAT(again.out, !Contains("the scene is run first"));
   CHECK(contentOf(directory.path / "again/pattern.svg") == contentOf(directory.path / "made/pattern.svg"));
+
+  // A scene that has changed since is not that run's.
+  directory.write("tube.toml", kTube + kSides + "[material]\ndensity = 0.3\n");
+  const Outcome changed = runEase(directory, "pattern tube.toml -o made");
+  CHECK(changed.code == 1);
+  CHECK(isOneLine(changed.err));
+  CHECK_THAT(changed.err, Contains("made: this run was made with another [material] than the scene has now"));
 }
 
 TEST_CASE("the pattern of a garment whose file has it in pieces names the vertices of that file") {
@@ -116,5 +123,5 @@ TEST_CASE("pattern says in a line what it lacks") {
   const Outcome hemm = runEase(directory, "pattern hemm.toml");
   CHECK(hemm.code == 1);
   CHECK(isOneLine(hemm.err));
-  CHECK_THAT(hemm.err, Contains("[pattern] allowance.hemm: no piece has such a seam or edge; there are"));
+  CHECK_THAT(hemm.err, Contains("[pattern] allowance.hemm: no piece has such a seam or edge; did you mean 'hem'?"));
 }

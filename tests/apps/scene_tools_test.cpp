@@ -109,7 +109,7 @@ TEST_CASE("a wrong tool is one line with what was expected") {
        "expected either this or [garment.comfort] offset"},
       {"[[garment.pin]]\nloop = 'neck'\n", "loop = 'neck': expected 'top' or 'hem'"},
       {"[[garment.pin]]\nat = [0, 5, 0]\nradius = 0.1\n", "no vertex of the garment lies in this ball"},
-      {"[[garment.seam]]\nname = 'side'\nfrom = 'hem'\n", "from = 'hem': expected both from and to"},
+      {"[[garment.seam]]\nname = 'side'\nfrom = 'hem'\n", "from = 'hem': expected to as well"},
       {"[[garment.seam]]\nname = 'side'\nfrom = 'hem'\nto = 'cuff'\n", "seam 'side': loop 'cuff': expected one of"},
       {"[[garment.seam]]\nname = 'side'\nform = 'hem'\n", "'form' is not a known key; did you mean 'from'?"},
   }));

@@ -115,3 +115,44 @@ TEST_CASE("a seam may end on a seam above it, and another begin there") {
   CHECK(std::count(around.begin(), around.end(), seams[1].vertices.back()) == 1);
   CHECK(seams[1].vertices.back() == seams[2].vertices.front());
 }
+
+namespace {
+
+/// A tube of equal triangles about y whose rings have a vertex at x = 0, facing +z.
+LoopedMesh evenTube() {
+  constexpr int kAround = 24, kRings = 9;
+  LoopedMesh garment{{Positions(kAround * kRings, 3), Triangles(2 * kAround * (kRings - 1), 3)},
+                     {{"hem", {}}, {"top", {}}}};
+  int t = 0;
+  for (int r = 0; r < kRings; ++r)
+    for (int i = 0; i < kAround; ++i) {
+      const double angle = 2.0 * M_PI * i / kAround;
+      garment.mesh.positions.row(kAround * r + i) << 0.2 * std::sin(angle), 0.05 * r, 0.2 * std::cos(angle);
+      if (r == 0) garment.loops[0].vertices.push_back(i);
+      if (r + 1 == kRings) garment.loops[1].vertices.push_back(kAround * r + i);
+      if (r == 0) continue;
+      const int j = (i + 1) % kAround, below = kAround * (r - 1), here = kAround * r;
+      garment.mesh.triangles.row(t++) << below + i, below + j, here + j;
+      garment.mesh.triangles.row(t++) << below + i, here + j, here + i;
+    }
+  return garment;
+}
+
+}  // namespace
+
+TEST_CASE("a seam that is to run along edges of the mesh leaves their vertices on it") {
+  LoopedMesh garment = evenTube();
+  const std::vector<Seam> seams =
+      findSeams({{"front", "hem", "top", {{0.0, 0.13, 0.2}, {0.0, 0.27, 0.2}}, {}}}, garment);
+  REQUIRE(seams[0].vertices.size() == 9);
+  for (const int v : seams[0].vertices) CHECK(std::abs(garment.mesh.positions(v, 0)) < 1e-4);
+}
+
+TEST_CASE("a seam without an end on a loop ends within the garment, at its last point") {
+  LoopedMesh garment = evenTube();
+  const std::vector<Seam> seams = findSeams({{"dart", "hem", "", {{0.0, 0.2, 0.2}}, {}}}, garment);
+  checkChain(garment, seams[0]);
+  const Vec3 tip = garment.mesh.positions.row(seams[0].vertices.back());
+  CHECK((tip - Vec3(0.0, 0.2, 0.2)).norm() < 0.01);
+  CHECK(seams[0].vertices.size() == 5);
+}

@@ -37,3 +37,10 @@ print('ok')
   INFO(ran.output);
   CHECK(ran.code == 0);
 }
+
+TEST_CASE("a DXF spells letters that its format lacks") {
+  const std::string text = dxfText(drawSheet("Größe 38", {plainPiece("Rücken links 袖")}, 1400.0));
+  CHECK(text.find("STYLE NAME: Groesse 38\n") != std::string::npos);
+  CHECK(text.find("PIECE NAME: Ruecken links ?\n") != std::string::npos);
+  CHECK(text.find("1_Ruecken_links__\n") != std::string::npos);
+}

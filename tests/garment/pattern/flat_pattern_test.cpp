@@ -1,5 +1,6 @@
 #include "garment/pattern/flat_pattern.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/garment/pattern/shapes.h"
@@ -72,4 +73,18 @@ TEST_CASE("a piece that had to be opened to lie flat is told") {
   REQUIRE(pattern.warnings.size() == 1);
   CHECK(pattern.warnings.front().find("was opened along '" + pattern.lines.front().seam.name + "'") !=
         std::string::npos);
+}
+
+TEST_CASE("a dart that was given where cloth lacks width is left out, and no piece is cut in two for it") {
+  FlatSettings settings;
+  settings.max_darts = 0;
+  const FlatPattern pattern =
+      flattenGarment(restGarment(bentSheet(8, 0.4, [](double x, double y) { return 2.0 * (x * x - y * y); }),
+                                 {{"bust dart", {4, 13, 22, 31, 40}, false}}),
+                     settings);
+  CHECK(pattern.pieces.size() == 1);
+  CHECK(pattern.pieces.front().darts == 0);
+  CHECK(pattern.lines.empty());
+  CHECK(std::count(pattern.warnings.begin(), pattern.warnings.end(),
+                   "the dart 'bust dart' would not open on the paper and was left out") == 1);
 }

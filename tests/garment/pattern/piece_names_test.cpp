@@ -41,3 +41,14 @@ TEST_CASE("a name is given to the piece nearest to a point, once") {
   CHECK_THROWS_AS(pieceNames(made.cut, made.mesh, {{"a", {0.0, 0.5, 1.0}}, {"b", {0.1, 0.5, 1.0}}}), InputError);
   CHECK_THROWS_WITH(pieceNames(made.cut, made.mesh, {{"a", {0.0, 5.0, 0.0}}}), Catch::Contains("m from the garment"));
 }
+
+TEST_CASE("a piece across the middle is neither left nor right") {
+  const TriangleMesh sheet = bentSheet(20, 0.6, [](double, double) { return 0.0; });  // y upwards, facing +z
+  Seam across{"across", {}, false}, down{"down", {}, false};
+  for (int i = 0; i <= 20; ++i) across.vertices.push_back(21 * 10 + i);
+  for (int j = 0; j <= 10; ++j) down.vertices.push_back(21 * j + 10);
+  const CutGarment cut = cutGarment(sheet, {{across, LineKind::seam}, {down, LineKind::seam}}, {});
+  std::vector<std::string> names = pieceNames(cut, sheet, {});
+  std::sort(names.begin(), names.end());
+  CHECK(names == std::vector<std::string>{"front", "left front", "right front"});
+}
