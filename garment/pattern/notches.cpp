@@ -1,6 +1,7 @@
 #include "garment/pattern/notches.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "garment/pattern/outline_crossing.h"
@@ -13,7 +14,7 @@ constexpr double kMinDepth = 2.0;        // mm; without allowance a notch is a m
 constexpr double kGap = 8.0;             // mm between the two of a double notch
 constexpr double kLongSeam = 0.15;       // m: longer seams have two places with notches
 constexpr double kShortSeam = 0.05;      // m: shorter ones have none
-constexpr double kMaxReach = 1.5;        // of the allowance's width, at which the cut line may be
+constexpr double kSlack = 0.1;           // of the allowance's width, by which the cut line may be nearer or further
 constexpr double kMaxDartReach = 100.0;  // mm, from the mouth of a dart to the roof over it
 // How far a notch may move along its seam to where both sides have an allowance, as shares of the seam.
 constexpr double kMoves[] = {0.0, 0.04, -0.04, 0.08, -0.08, 0.12, -0.12, 0.16, -0.16};
@@ -40,7 +41,7 @@ std::optional<Notch> notchAt(const FlatPattern& pattern, const Side& side, doubl
   double width = 0.0;
   if (side.edge.width > 0.0) {
     width = reach(at, outward, side.cut);
-    if (width < 0.0 || width > kMaxReach * side.edge.width) return std::nullopt;
+    if (std::abs(width - side.edge.width) > kSlack * side.edge.width) return std::nullopt;
   }
   return Notch{at + width * outward, -outward, std::max(kMinDepth, std::min(kDepth, 0.6 * width))};
 }
