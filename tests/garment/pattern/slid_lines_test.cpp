@@ -87,7 +87,10 @@ TEST_CASE("nothing slides where all lines are seams") {
 
 TEST_CASE("a dart goes around a seam that lies on the straight way to its tip") {
   const RestGarment garment = sheet();
-  CutLine dart{{"dart", {vertex(8, 0), vertex(9, 1), vertex(10, 2), vertex(10, 3), vertex(9, 4), vertex(8, 5)}, false},
+  CutLine dart{{"dart",
+                {vertex(8, 0), vertex(9, 1), vertex(10, 2), vertex(10, 3), vertex(10, 4), vertex(9, 4), vertex(8, 4),
+                 vertex(8, 5)},
+                false},
                LineKind::dart};
   CutLine slit{{"slit", {vertex(7, 3), vertex(8, 3), vertex(9, 3)}, false}, LineKind::seam};
   std::vector<CutLine> lines = {slit, dart};
