@@ -59,8 +59,7 @@ class Laps {
 double until(const std::function<bool()>& condition) {
   const auto start = Clock::now();
   while (!condition()) {
-    QCoreApplication::processEvents(QEventLoop::AllEvents, 2);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // as a window does that waits
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);  // the window's timer ends the waiting
   }
   return secondsSince(start);
 }

@@ -17,11 +17,11 @@ namespace ease {
 
 namespace {
 
-constexpr int kTick = 15;              // ms, between looks for news
-constexpr double kDrawingShare = 0.2;  // of the time while simulating, but see kSlowest
-constexpr double kFastest = 33.0;      // ms between two pictures
-constexpr double kSlowest = 80.0;      // ms between two pictures at most, unless a picture takes half of that
-constexpr int kReportTick = 500;       // ms
+constexpr int kTick = 15;               // ms, between looks for news
+constexpr double kDrawingShare = 0.12;  // of the time while simulating, but see kSlowest
+constexpr double kFastest = 33.0;       // ms between two pictures
+constexpr double kSlowest = 90.0;       // ms between two pictures at most, unless a picture takes half of that
+constexpr int kReportTick = 500;        // ms
 
 }  // namespace
 
