@@ -13,7 +13,8 @@
 
 namespace ease {
 
-/// The lines, and cuts through pieces that overlap themselves even without their darts.  Pieces that cannot be mended so are left as they are.
+/// The lines, and cuts through pieces that overlap themselves even without their darts.  Pieces that cannot be mended
+/// so are left as they are.
 std::vector<CutLine> withoutOverlaps(const RestGarment& garment, const std::vector<CutLine>& lines,
                                      const FlatSettings& settings);
 
