@@ -22,6 +22,14 @@ std::string hashOf(const std::string& text) {
 
 }  // namespace
 
+std::map<std::string, std::string> tablesOfRun(const TomlTable& root, bool has_files) {
+  std::map<std::string, std::string> texts;
+  for (const char* name : {"body", "garment", "material", "solver", "collision", "adaption"})
+    if (const auto table = root.table(name))
+      texts[name] = table->written({has_files ? "poses" : "", "mesh", "seam", "threads"});
+  return texts;
+}
+
 std::map<std::string, std::string> runInputs(const Scene& scene) {
   std::map<std::string, std::string> texts = scene.tables_of_run;
   const std::filesystem::path folder = scene.file.parent_path();

@@ -6,8 +6,13 @@
 #include <vector>
 
 #include "apps/scene.h"
+#include "apps/toml_table.h"
 
 namespace ease {
+
+/// The tables of a scene that a run depends on as they are written, but for names of files, seams and the number of
+/// threads.  `has_files`: the body's poses are files.
+std::map<std::string, std::string> tablesOfRun(const TomlTable& root, bool has_files);
 
 /// A hash for each of the scene's tables that a run depends on, of what is written there and of the mesh files named
 /// there: the same on every machine.  Seams are left out, since a garment can be cut otherwise after the run.

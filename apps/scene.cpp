@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/mesh_list.h"
+#include "apps/run_inputs.h"
 #include "apps/scene_material.h"
 #include "apps/scene_tools.h"
 #include "apps/toml_table.h"
@@ -242,15 +243,6 @@ void checkLength(const TomlTable& root, const Scene& scene) {
   if (steps <= kMaxTimeSteps) return;
   root.table(scene.body ? "body" : "solver")
       ->refuse("steps", fmt::format("at most {:.0f} time steps in all, found {:.0f}", kMaxTimeSteps, steps));
-}
-
-/// The tables that a run depends on as they are written, but for names of files, seams and the number of threads.
-std::map<std::string, std::string> tablesOfRun(const TomlTable& root, bool has_files) {
-  std::map<std::string, std::string> texts;
-  for (const char* name : {"body", "garment", "material", "solver", "collision", "adaption"})
-    if (const auto table = root.table(name))
-      texts[name] = table->written({has_files ? "poses" : "", "mesh", "seam", "threads"});
-  return texts;
 }
 
 Scene readRoot(const TomlTable& root, const std::filesystem::path& file, bool may_be_draft, bool names_folder) {
