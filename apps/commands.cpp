@@ -173,6 +173,10 @@ ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interru
     }
     const ResultDirectory results(directory);
     if (!checkpoint && !arguments.force) results.refuseOtherScene(scene.name);
+    if (!checkpoint && results.holdsStoppedRun())
+      say("warning",
+          fmt::format("{0}: replaces a run that was stopped; ease run {1} --resume {0} would have gone on with it",
+                      directory.string(), scene.file.string()));
     results.removeOldGarment(scene);
     if (input.authored) writeGarment(scene, input, directory, interrupted);
     try {

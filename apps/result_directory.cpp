@@ -116,6 +116,13 @@ void ResultDirectory::refuseOtherScene(const std::string& scene) const {
                   path_.string(), earlier_scene, scene));
 }
 
+bool ResultDirectory::holdsStoppedRun() const {
+  if (!fs::exists(path_ / "checkpoint.bin")) return false;
+  std::ifstream in(path_ / "report.json");
+  const nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
+  return report.is_object() && report.value("interrupted", false);
+}
+
 void ResultDirectory::removeEmpty() const {
   std::error_code not_empty;
   for (const fs::path& directory : made_) fs::remove(directory, not_empty);

@@ -22,6 +22,9 @@ class ResultDirectory {
   /// Throws InputError where the directory holds the results of another scene, naming that.
   void refuseOtherScene(const std::string& scene) const;
 
+  /// Whether the directory holds a run that was stopped and could go on from its checkpoint.
+  bool holdsStoppedRun() const;
+
   /// Removes the files that an earlier command wrote about a garment made by tools and about its pieces, because the
   /// scene may now make another garment.  Removes nothing if the scene reads one of these files.
   void removeOldGarment(const Scene& scene) const;

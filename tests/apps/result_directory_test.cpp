@@ -57,6 +57,20 @@ TEST_CASE("a directory with the results of another scene is refused with what to
       Catch::Contains("holds the results of the scene 'skirt', not of 'dress'") && Catch::Contains("--force"));
 }
 
+TEST_CASE("a run that was stopped is told from one that ended or has no checkpoint") {
+  const TemporaryDirectory directory;
+  const ResultDirectory results(directory.path);
+  CHECK_FALSE(results.holdsStoppedRun());
+  directory.write("report.json", R"({"interrupted": true})");
+  CHECK_FALSE(results.holdsStoppedRun());
+  directory.write("checkpoint.bin", "");
+  CHECK(results.holdsStoppedRun());
+  directory.write("report.json", R"({"interrupted": false})");
+  CHECK_FALSE(results.holdsStoppedRun());
+  directory.write("report.json", "{");
+  CHECK_FALSE(results.holdsStoppedRun());
+}
+
 TEST_CASE("a directory made for nothing goes again, with those made on the way to it") {
   const TemporaryDirectory directory;
   { const ResultDirectory made(directory.path / "results/tunic"); }
