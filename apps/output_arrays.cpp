@@ -1,5 +1,8 @@
 #include "apps/output_arrays.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ease {
 
 namespace {
@@ -22,6 +25,15 @@ Floats perTriangle(const RunSource& run, const Value& value) {
 /// Returns one member of the stretch, such as `sigma_1`, of every triangle.
 Floats stretches(const RunSource& run, double Stretch::*member) {
   return perTriangle(run, [&](size_t t) { return run.fields->stretch[t].*member; });
+}
+
+/// Angle between warp and weft less a right one, from |warp| |weft| sin(angle) = sigma_1 sigma_2.
+Floats shears(const RunSource& run) {
+  return perTriangle(run, [&](size_t t) {
+    const Stretch& s = run.fields->stretch[t];
+    const double threads = s.warp * s.weft, area = s.sigma_1 * s.sigma_2;
+    return threads > 0.0 ? 180.0 / M_PI * std::acos(std::clamp(area / threads, 0.0, 1.0)) : 0.0;
+  });
 }
 
 Floats restAreaRatios(const RunSource& run) {
@@ -89,6 +101,7 @@ const std::vector<OutputArray<RunSource>>& runArrays() {
        [](FromRun r) { return stretches(r, &Stretch::warp); }},
       {"stretch_weft", "", triangle, 1, "stretch along the weft",
        [](FromRun r) { return stretches(r, &Stretch::weft); }},
+      {"shear_deg", "deg", triangle, 1, "by how much the angle between warp and weft differs from a right one", shears},
       {"over_limit", "", triangle, 1,
        "0: within the limit, 1: over it but crumpled, 2: over it and taut; only with a limit", overLimit},
       {"rest_area_ratio", "", triangle, 1,

@@ -1,8 +1,10 @@
 // Tests that the tables of output arrays, docs/results.md and the written files agree about the names of the arrays.
 #include "apps/output_arrays.h"
 
+#include "apps/frames.h"
 #include "tests/apps/command.h"
 #include "tests/apps/result_check.h"
+#include "tests/sheet.h"
 
 using namespace ease;
 
@@ -21,15 +23,23 @@ using Arrays = std::vector<WrittenArray>;
 
 // The names of the arrays that users and their ParaView state files rely on.  A change of a name breaks these files, so
 // it must be mentioned in CHANGELOG.md.
-const Arrays kGarmentInTheAir = {{"velocity_m_s", "vertex", 3},      {"pinned", "vertex", 1},
-                                 {"sigma_1", "triangle", 1},         {"sigma_2", "triangle", 1},
-                                 {"stretch_warp", "triangle", 1},    {"stretch_weft", "triangle", 1},
-                                 {"rest_area_ratio", "triangle", 1}, {"rest_edges_m", "triangle", 4}};
-const Arrays kGarmentOnBody = {
-    {"velocity_m_s", "vertex", 3},        {"pinned", "vertex", 1},         {"gap_m", "vertex", 1},
-    {"contact_pressure_Pa", "vertex", 1}, {"sigma_1", "triangle", 1},      {"sigma_2", "triangle", 1},
-    {"stretch_warp", "triangle", 1},      {"stretch_weft", "triangle", 1}, {"over_limit", "triangle", 1},
-    {"rest_area_ratio", "triangle", 1},   {"rest_edges_m", "triangle", 4}};
+const Arrays kGarmentInTheAir = {{"velocity_m_s", "vertex", 3},   {"pinned", "vertex", 1},
+                                 {"sigma_1", "triangle", 1},      {"sigma_2", "triangle", 1},
+                                 {"stretch_warp", "triangle", 1}, {"stretch_weft", "triangle", 1},
+                                 {"shear_deg", "triangle", 1},    {"rest_area_ratio", "triangle", 1},
+                                 {"rest_edges_m", "triangle", 4}};
+const Arrays kGarmentOnBody = {{"velocity_m_s", "vertex", 3},
+                               {"pinned", "vertex", 1},
+                               {"gap_m", "vertex", 1},
+                               {"contact_pressure_Pa", "vertex", 1},
+                               {"sigma_1", "triangle", 1},
+                               {"sigma_2", "triangle", 1},
+                               {"stretch_warp", "triangle", 1},
+                               {"stretch_weft", "triangle", 1},
+                               {"shear_deg", "triangle", 1},
+                               {"over_limit", "triangle", 1},
+                               {"rest_area_ratio", "triangle", 1},
+                               {"rest_edges_m", "triangle", 4}};
 const Arrays kRestShape = {{"rest_area_ratio", "triangle", 1}, {"rest_edges_m", "triangle", 4}};
 const Arrays kMadeGarment = {{"loop", "vertex", 1},          {"seam", "vertex", 1},   {"offset_m", "vertex", 1},
                              {"body_triangle", "vertex", 1}, {"pinned", "vertex", 1}, {"paint_scale", "triangle", 1}};
@@ -103,6 +113,25 @@ TEST_CASE("the unit of an array is the end of its name") {
     std::replace(ending.begin(), ending.end(), '/', '_');
     CHECK(row.name.ends_with(ending));
   }
+}
+
+TEST_CASE("cloth sheared by s has threads that are atan(s) from a right angle") {
+  const Cloth cloth(makeSheet(1, 1, 1.0, 1.0), {0.0, 1.0, 0.0}, Material());
+  std::vector<Stretch> stretch;
+  for (const double s : {0.0, 1.0}) {
+    Mat2 F;
+    F << 1.0, s, 0.0, 1.0;
+    stretch.push_back(principalStretch(F.transpose() * F));
+  }
+  const std::vector<double> none;
+  const std::vector<int> no_pins;
+  const GarmentFields fields{stretch, none, none, none, no_pins, {}};
+  const auto row = std::find_if(runArrays().begin(), runArrays().end(),
+                                [](const OutputArray<RunSource>& array) { return array.name == "shear_deg"; });
+  REQUIRE(row != runArrays().end());
+  const std::vector<float> values = row->compute({cloth, cloth.restAreas(), nullptr, &fields});
+  CHECK(values[0] == Approx(0.0).margin(1e-3));
+  CHECK(values[1] == Approx(45.0));
 }
 
 TEST_CASE("a run without a body writes the arrays that people know, but those of contact") {
