@@ -18,6 +18,11 @@ const char* nameOf(LineKind kind) {
   return kind == LineKind::seam ? "seam" : kind == LineKind::opened ? "opening" : "dart";
 }
 
+/// What a seam is; a seam of the scene that ends within a piece is a dart.
+const char* kindOf(const FlatPattern& flat, const SeamSides& sides) {
+  return isDartLeg(flat.cut, sides.left) ? "dart" : nameOf(flat.lines[sides.line].kind);
+}
+
 Json poseJson(const ResewnPose& pose) {
   return {{"pose", pose.pose}, {"rms_mm", 1e3 * pose.rms_m}, {"max_mm", 1e3 * pose.max_m}};
 }
@@ -78,7 +83,7 @@ Json figuresOf(const Scene& scene, const MadePattern& made) {
   for (const SeamSides& sides : flat.seams) {
     const double difference = std::abs(sides.left_length - sides.right_length);
     json["seams"].push_back({{"name", flat.lines[sides.line].seam.name},
-                             {"kind", nameOf(flat.lines[sides.line].kind)},
+                             {"kind", kindOf(flat, sides)},
                              {"left_piece", flat.pieces[flat.cut.edges[sides.left].piece].name},
                              {"right_piece", flat.pieces[flat.cut.edges[sides.right].piece].name},
                              {"rest_m", sides.rest_length},
@@ -87,7 +92,7 @@ Json figuresOf(const Scene& scene, const MadePattern& made) {
                              {"difference_mm", 1e3 * difference},
                              {"difference_mean_percent", 100.0 * difference / sides.rest_length}});
     seams += sides.rest_length;
-    by_kind[nameOf(flat.lines[sides.line].kind)] += sides.rest_length;
+    by_kind[kindOf(flat, sides)] += sides.rest_length;
   }
   for (const DrawnPiece& piece : made.pieces) cloth += 1e-6 * piece.quantity * areaWithin(piece.cut);
   json["length_of_seams_m"] = seams;  // all that is sewn, once

@@ -16,6 +16,22 @@ constexpr double kNameBeyondTip = 8.0;                                         /
 constexpr double kGrainLength = 100.0;                                         // mm
 constexpr double kNameHeight = 7.0, kTextHeight = 4.0, kSeamNameHeight = 2.8;  // mm
 
+/// Letters of a text in UTF-8.
+size_t lettersOf(const std::string& words) {
+  return static_cast<size_t>(
+      std::count_if(words.begin(), words.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// The point at a distance along a line from its beginning, mm, or its end where it is shorter.
+PaperPoint pointAlong(const std::vector<PaperPoint>& line, double distance) {
+  for (size_t i = 0; i + 1 < line.size(); ++i) {
+    const PaperPoint step = line[i + 1] - line[i];
+    if (step.norm() >= distance) return line[i] + distance * step.normalized();
+    distance -= step.norm();
+  }
+  return line.back();
+}
+
 void addDarts(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece) {
   for (size_t i = 0; i + 1 < line.edges.size(); ++i) {
     if (!line.edges[i].is_dart || !line.edges[i + 1].is_dart) continue;
@@ -25,10 +41,15 @@ void addDarts(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece
     legs.insert(legs.end(), line.edges[i + 1].points.begin() + 1, line.edges[i + 1].points.end());
     piece.lines.push_back({Ink::inner, legs, false});
     for (const PaperPoint& mouth : {p, q}) addNotch(mouth, (mouth - tip).normalized(), piece);
-    const PaperPoint axis = (0.5 * (p + q) - tip).normalized();
-    piece.drills.push_back(tip + kDrillBeforeTip * axis);
-    piece.texts.push_back({tip - kNameBeyondTip * axis - PaperPoint(0.0, 0.5 * kSeamNameHeight), kSeamNameHeight, 0.0,
-                           pattern.cut.edges[line.numbers[i]].name, true});
+    const std::vector<PaperPoint> back(line.edges[i].points.rbegin(), line.edges[i].points.rend());
+    const PaperPoint hole =
+        0.5 * (pointAlong(back, kDrillBeforeTip) + pointAlong(line.edges[i + 1].points, kDrillBeforeTip));
+    piece.drills.push_back(hole);
+    const PaperPoint onwards = (tip - hole).normalized();
+    const std::string& name = pattern.cut.edges[line.numbers[i]].name;
+    const double half = 0.5 * 0.62 * kSeamNameHeight * static_cast<double>(lettersOf(name)) * std::abs(onwards.x());
+    piece.texts.push_back({tip + (kNameBeyondTip + half) * onwards - PaperPoint(0.0, 0.5 * kSeamNameHeight),
+                           kSeamNameHeight, 0.0, name, true});
     ++i;
   }
 }
@@ -80,12 +101,6 @@ std::string cutText(const DrawnPiece& piece, double grain) {
   if (grain != 0.0)
     text += fmt::format(", grain turned {:.0f} deg {}", std::abs(grain) * 180.0 / M_PI, grain > 0.0 ? "left" : "right");
   return text;
-}
-
-/// Letters of a text in UTF-8.
-size_t lettersOf(const std::string& words) {
-  return static_cast<size_t>(
-      std::count_if(words.begin(), words.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 /// A seam's name and to which piece it is sewn, by that piece's name, or by its number where there is less room;

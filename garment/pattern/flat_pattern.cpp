@@ -251,7 +251,8 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   for (int l = dartToLeaveOut(pattern, mended); l >= 0; l = dartToLeaveOut(pattern, mended)) {
     if (l < static_cast<int>(mended)) {
       warnings.push_back(
-          fmt::format("the dart '{}' would not open on the paper and was left out", pattern.lines[l].seam.name));
+          fmt::format("the dart '{}' takes in no cloth on the paper, or leads across a seam, and was left out",
+                      pattern.lines[l].seam.name));
       pattern.lines.erase(pattern.lines.begin() + l);
       --mended;
     } else {
