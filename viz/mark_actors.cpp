@@ -15,9 +15,10 @@ namespace ease {
 
 namespace {
 
-/// A mark lies on a surface and is drawn in front of it, by 1 / 65536 of the range of depths for each unit of `offset`
-/// below 0: 24 are 1.5 mm at 3 m.  Surfaces that were drawn behind where they are would not hide each other early,
-/// which takes the software half as long again.
+/// A mark lies on a surface and is drawn in front of it, by about 1 / 65536 of the range of depths for each unit of
+/// `offset` below 0: 24 are 1.5 mm at 3 m where 1.5 to 5 m are drawn.  If surfaces were drawn further back instead,
+/// they would not hide each other early, and a picture would take the software 30 instead of 23 ms (4,271 vertices on a
+/// scan).
 vtkSmartPointer<vtkActor> markActor(vtkPolyData* data, double offset) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);

@@ -23,6 +23,8 @@ constexpr double kSoftest = 0.06;
 constexpr double kRoom = 0.85;   // of the limit of shear, up to which a piece may shear then
 constexpr double kSlowness = 4;  // shear at 99 % goes with about the fourth root of 1 / stiffness
 
+constexpr const char* kOwn = ": give a seam of your own if it is to be elsewhere";
+
 // Darts are found along the mesh's edges, whose teeth give way where a straight line does not: once the lines slid,
 // pieces may be over the limits again, and one more dart is looked for.
 constexpr int kDartRounds = 2;
@@ -222,14 +224,10 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   size_t mended = pattern.lines.size();
   std::vector<std::string> warnings;
   for (size_t l = given.seams.size(); l < asked; ++l)
-    warnings.push_back(
-        fmt::format("a piece is no disk and was opened along '{}': give a seam of your own if it is to be elsewhere",
-                    pattern.lines[l].seam.name));
+    warnings.push_back(fmt::format("a piece is no disk and was opened along '{}'{}", pattern.lines[l].seam.name, kOwn));
   for (size_t l = asked; l < mended; ++l)
-    warnings.push_back(
-        fmt::format("a piece overlapped itself when flat and was cut in two along '{}': give a seam of your own if it "
-                    "is to be elsewhere",
-                    pattern.lines[l].seam.name));
+    warnings.push_back(fmt::format("a piece overlapped itself when flat and was cut in two along '{}'{}",
+                                   pattern.lines[l].seam.name, kOwn));
   std::vector<Seam> seams;
   for (const CutLine& line : pattern.lines) seams.push_back(line.seam);
   const Pieces pieces = cutIntoPieces(given.mesh, seams);

@@ -9,13 +9,12 @@
 namespace ease {
 namespace {
 
-constexpr double kDepth = 5.0;           // mm
-constexpr double kMinDepth = 2.0;        // mm; without allowance a notch is a mark on the piece
-constexpr double kGap = 8.0;             // mm between the two of a double notch
-constexpr double kLongSeam = 0.15;       // m: longer seams have two places with notches
-constexpr double kShortSeam = 0.05;      // m: shorter ones have none
-constexpr double kSlack = 0.1;           // of the allowance's width, by which the cut line may be nearer or further
-constexpr double kMaxDartReach = 100.0;  // mm, from the mouth of a dart to the roof over it
+constexpr double kDepth = 5.0;       // mm
+constexpr double kMinDepth = 2.0;    // mm; without allowance a notch is a mark on the piece
+constexpr double kGap = 8.0;         // mm between the two of a double notch
+constexpr double kLongSeam = 0.15;   // m: longer seams have two places with notches
+constexpr double kShortSeam = 0.05;  // m: shorter ones have none
+constexpr double kSlack = 0.1;       // of the allowance's width, by which the cut line may be nearer or further
 // How far a notch may move along its seam to where both sides have an allowance, as shares of the seam.
 constexpr double kMoves[] = {0.0, 0.04, -0.04, 0.08, -0.08, 0.12, -0.12, 0.16, -0.16};
 
@@ -34,6 +33,11 @@ Side sideOf(const FlatPattern& pattern, const std::vector<SewLine>& lines,
   return {lines[piece].edges[at], edge, cuts[piece]};
 }
 
+/// A notch at the end of an allowance of this width, mm.
+Notch notchBeyond(const PaperPoint& on_sew_line, const PaperPoint& outward, double width) {
+  return {on_sew_line + width * outward, -outward, std::max(kMinDepth, std::min(kDepth, 0.6 * width))};
+}
+
 /// A notch at a share of the side's length; none where the cut line is not where the allowance should end.
 std::optional<Notch> notchAt(const FlatPattern& pattern, const Side& side, double share) {
   PaperPoint along;
@@ -43,7 +47,7 @@ std::optional<Notch> notchAt(const FlatPattern& pattern, const Side& side, doubl
     width = reach(at, outward, side.cut);
     if (std::abs(width - side.edge.width) > kSlack * side.edge.width) return std::nullopt;
   }
-  return Notch{at + width * outward, -outward, std::max(kMinDepth, std::min(kDepth, 0.6 * width))};
+  return notchBeyond(at, outward, width);
 }
 
 /// Notches of a side at these shares of its length; none if one of them has no place on this or on the other side.
@@ -74,10 +78,7 @@ double reach(const PaperPoint& from, const PaperPoint& direction, const std::vec
 }
 
 void addNotch(const PaperPoint& on_sew_line, const PaperPoint& outward, DrawnPiece& piece) {
-  double width = std::max(0.0, reach(on_sew_line, outward, piece.cut));
-  if (width > kMaxDartReach) width = 0.0;
-  piece.notches.push_back(
-      {on_sew_line + width * outward, -outward, std::max(kMinDepth, std::min(kDepth, 0.6 * width))});
+  piece.notches.push_back(notchBeyond(on_sew_line, outward, std::max(0.0, reach(on_sew_line, outward, piece.cut))));
 }
 
 void addSeamNotches(const FlatPattern& pattern, const std::vector<SewLine>& lines,
