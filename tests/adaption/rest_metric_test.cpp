@@ -31,7 +31,7 @@ TEST_CASE("neighbours agree on the length of their common edge after growth that
   }
 }
 
-TEST_CASE("a flat triangle has the lengths asked for and lies along the edges wanted; impossible lengths give those") {
+TEST_CASE("a flat triangle has the lengths asked for and lies along the edges wanted, which impossible lengths give") {
   const Mat2 wanted = (Mat2() << 0.0, -1.0, 1.2, 0.1).finished();
   const Mat2 flat = flatTriangle(1.2, 1.0, 1.5, wanted);
   CHECK(flat.col(0).norm() == Approx(1.2));

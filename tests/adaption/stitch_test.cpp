@@ -93,7 +93,7 @@ TEST_CASE("adjacent triangles may grow by amounts as different as adaption allow
 }
 
 TEST_CASE(
-    "a stitch that folds is counted; it has triangles of positive area, and cloth with that rest shape stays finite") {
+    "a stitch that folds is counted, it has triangles of positive area, and cloth with that rest shape stays finite") {
   const double most = GENERATE(10.0, 30.0);  // growth in a single step
   const TriangleMesh mesh = makeSheet(12, 12, 0.3, 0.3, 0.3);
   Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), Material());

@@ -114,7 +114,7 @@ TEST_CASE("a body that stood at its last pose goes on from there to one that was
   CHECK(timeline(schedule, done).size() == 2);
 }
 
-TEST_CASE("a body of one pose, or none, has no motion; steps are left until it was held long enough") {
+TEST_CASE("a body of one pose, or none, has no motion, and steps are left until it was held long enough") {
   Schedule schedule = twoPoses();
   schedule.poses = 1;
   CHECK(posesOfMotion(schedule) == std::vector<int>{0});

@@ -77,7 +77,7 @@ TEST_CASE("a run that is interrupted leaves series that open and a checkpoint to
   CHECK(framesIn(there) == 41);
 }
 
-TEST_CASE("a run that is killed leaves series that open; the next run takes away what it left unfinished") {
+TEST_CASE("a run that is killed leaves series that open, the next run takes away what it left unfinished") {
   const bool goes_on = GENERATE(true, false);
   const TemporaryDirectory directory;
   const fs::path there = directory.path / "there";

@@ -47,7 +47,7 @@ TEST_CASE("a body's file that holds the garment, too, is refused as such") {
                                   Contains("is the garment in this file, too?"));
 }
 
-TEST_CASE("a body inside out is turned over; one that is so in a single pose is the mirror image") {
+TEST_CASE("a body inside out is turned over, one that is so in a single pose is the mirror image") {
   const Files files;
   TriangleMesh turned = kBox;
   turned.triangles.col(1).swap(turned.triangles.col(2));
@@ -63,7 +63,7 @@ TEST_CASE("a body inside out is turned over; one that is so in a single pose is 
   CHECK_THAT(files.errorOf(), Contains("second.obj: is inside out where") && Contains("mirror"));
 }
 
-TEST_CASE("a body whose vertices are doubled along seams is welded and told; weld = false keeps it apart") {
+TEST_CASE("a body whose vertices are doubled along seams is welded and told, weld = false keeps it apart") {
   const Files files;
   TriangleMesh seamed = kBox;  // floor and lid with vertices of their own
   seamed.positions.conservativeResize(16, 3);
@@ -79,7 +79,7 @@ TEST_CASE("a body whose vertices are doubled along seams is welded and told; wel
   CHECK(files.read("", "weld = false\n").poses[1].rows() == 16);
 }
 
-TEST_CASE("unit and axes of the files are keys; the garment has those of the body") {
+TEST_CASE("unit and axes of the files are keys, the garment has those of the body") {
   const Files files;
   const auto write = [&](const char* name, const TriangleMesh& mesh) {  // in cm, z up, facing -y
     TriangleMesh turned = mesh;

@@ -25,7 +25,7 @@ TEST_CASE("a garment inside the body is refused with how far") {
              Contains("tube.obj: 8 of 8 vertices lie inside the first pose, 'first'") && Contains("50.0 mm"));
 }
 
-TEST_CASE("a garment a few millimetres inside the body is moved out and told; its rest shape stays") {
+TEST_CASE("a garment a few millimetres inside the body is moved out and told, its rest shape stays") {
   const Files files;
   const TriangleMesh tube = box(0.197, 0.8, 1.4, false);
   files.write("tube.obj", tube);

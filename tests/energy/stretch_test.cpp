@@ -58,7 +58,7 @@ TEST_CASE("damping adds the force of the condition's rate") {
   CHECK(stress.x == Approx(800.0 * (now - 1.0) + damping_over_h * (now - start)).epsilon(1e-12));
 }
 
-TEST_CASE("damping alone, without a spring, pulls back to where the step began; without either there is nothing") {
+TEST_CASE("damping alone, without a spring, pulls back to where the step began, without either there is nothing") {
   const Spring damper = damped({0.0, 1.0}, 300.0, 1.2);
   CHECK(damper.k == 300.0);
   CHECK(damper.c == Approx(1.2));

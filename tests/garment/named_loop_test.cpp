@@ -19,7 +19,7 @@ TEST_CASE("a loop is found by where it lies or by its index") {
   CHECK(&findLoop(topology, mesh.positions, "1") == &topology.boundary_loops[1]);
 }
 
-TEST_CASE("the neck lies on the middle, wherever the sleeves end; between two that may be it, it is ambiguous") {
+TEST_CASE("the neck lies on the middle, wherever the sleeves end, and is ambiguous where two may be it") {
   TriangleMesh mesh = tube(8, 3, 1.0);        // hem below, neck above
   const auto add = [&](double x, double y) {  // a patch whose boundary stands for the end of a sleeve
     const int n = static_cast<int>(mesh.positions.rows());

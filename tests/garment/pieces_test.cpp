@@ -35,7 +35,7 @@ TEST_CASE("seams that meet make as many pieces as there are fields") {
   CHECK(pieces.mesh.positions.rows() == 25 + 5 + 3);
 }
 
-TEST_CASE("a closed seam cuts out a patch; one that ends within is a slit") {
+TEST_CASE("a closed seam cuts out a patch, one that ends within is a slit") {
   CHECK(cutIntoPieces(kSheet, {{"patch", {6, 7, 8, 13, 18, 17, 16, 11}, true}}).count == 2);
   const Pieces slit = cutIntoPieces(kSheet, {{"slit", {2, 7, 12}, false}});
   CHECK(slit.count == 1);

@@ -57,7 +57,7 @@ TEST_CASE(
   checkIsSquare(readMesh(folder.write("a.ply", bytes)));
 }
 
-TEST_CASE("what a PLY's mesh does not need may be anything; its strips become triangles; text may follow") {
+TEST_CASE("what a PLY's mesh does not need may be anything, its strips become triangles, text may follow") {
   const Folder folder;
   checkIsSquare(readMesh(folder.write(
       "a.ply",

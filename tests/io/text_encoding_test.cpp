@@ -10,7 +10,7 @@ TEST_CASE("plain bytes stay as they are, and the mark of UTF-8 goes") {
   CHECK(asUtf8("").empty());
 }
 
-TEST_CASE("UTF-16 of either byte order becomes plain text; letters beyond ASCII become question marks") {
+TEST_CASE("UTF-16 of either byte order becomes plain text, letters beyond ASCII become question marks") {
   const std::string low_first("\xFF\xFEv\0 \0\x31\0", 8), high_first("\xFE\xFF\0v\0 \0\x31", 8);
   CHECK(asUtf8(low_first) == "v 1");
   CHECK(asUtf8(high_first) == "v 1");

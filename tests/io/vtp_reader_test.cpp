@@ -45,14 +45,14 @@ TEST_CASE("a VTP cut short anywhere is refused") {
   CHECK_THAT(messageOf(folder.write("cut.vtp", whole.substr(0, 300))), Contains("unclosed token"));
 }
 
-TEST_CASE("a VTP's index out of range is named with its triangle; a coordinate that is no number is refused") {
+TEST_CASE("a VTP's index out of range is named with its triangle, a coordinate that is no number is refused") {
   const Folder folder;
   CHECK_THAT(messageOf(folder.write("a.vtp", vtp("0 0 0 1 0 0 1 1 0 0 1 0", "0 1 2 99999", "4"))),
              Contains("face 0 has vertex 99999, but there are 4"));
   CHECK_THAT(messageOf(folder.write("a.vtp", vtp("0 0 0 1 one 0 1 1 0 0 1 0", "0 1 2", "3"))), Contains("a.vtp"));
 }
 
-TEST_CASE("a VTP's strips become triangles that face one way; a polygon of two corners is refused") {
+TEST_CASE("a VTP's strips become triangles that face one way, a polygon of two corners is refused") {
   const Folder folder;
   CHECK(readMesh(folder.write("a.vtp", vtp(kPoints, "0 1 3 2", "4", "Strips"))).triangles ==
         (Triangles(2, 3) << 0, 1, 3, 3, 1, 2).finished());

@@ -98,7 +98,7 @@ TEST_CASE("poses with other counts are refused with both counts") {
                     "a.ply: has 1 triangles, but t.ply has 2" + kAdvice);
 }
 
-TEST_CASE("the first triangle that differs is named; a match by triangles is offered only where it would help") {
+TEST_CASE("the first triangle that differs is named, a match by triangles is offered only where it would help") {
   const TriangleMesh turned = withTriangle(kSquare, 1, {2, 3, 0});
   CHECK_NOTHROW(checkSameTriangles(kSquare, "t.ply", turned, "a.ply"));
 

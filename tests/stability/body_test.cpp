@@ -164,7 +164,7 @@ TEST_CASE("a strip that hangs by its own weight beyond the limit stops growing, 
 }
 
 TEST_CASE(
-    "two poses in turn, two hundred times, let a sleeve out once; a method that is too far off for that is counted") {
+    "two poses in turn, two hundred times, let a sleeve out once, a method that is too far off for that is counted") {
   const TriangleMesh thin = bodies::capsule(0.15, 0.04, 6);
   TriangleMesh thick = thin;
   thick.positions.col(0) *= 1.25;

@@ -42,7 +42,7 @@ const Vec3 kFall(0.0, -9.81 * 0.0025 * 0.0025, 0.0);  // fall in the first step,
 
 }  // namespace
 
-TEST_CASE("a point has the potential and its gradient; where vertices are pinned the gradient is zero") {
+TEST_CASE("a point has the potential and its gradient, where vertices are pinned the gradient is zero") {
   Falling falling;
   falling.fixed[3] = 1;
   falling.moveTo({0.01, 0.0, 0.02});

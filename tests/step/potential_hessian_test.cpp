@@ -79,7 +79,7 @@ TEST_CASE("where nothing is compressed, projecting the Hessian leaves out a litt
 }
 
 TEST_CASE(
-    "the Hessian is symmetric; where cloth is compressed it is indefinite, and projected as positive as the masses") {
+    "the Hessian is symmetric, where cloth is compressed it is indefinite, and projected as positive as the masses") {
   PotentialScene scene;
   const Positions x = 0.6 * scene.x;
   const Eigen::MatrixXd exact = wholeHessian(scene, x, HessianKind::exact);

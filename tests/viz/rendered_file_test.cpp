@@ -7,7 +7,7 @@
 #include "tests/viz/fixtures.h"
 #include "tests/viz/png_pixels.h"
 
-TEST_CASE("what is composed is written at its size; an unwritable file is named") {
+TEST_CASE("what is composed is written at its size, an unwritable file is named") {
   const test::Directory directory;
   const auto orange = [](vtkRenderWindow* window, ease::Overlay&) {
     vtkNew<vtkRenderer> renderer;
