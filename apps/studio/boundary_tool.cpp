@@ -121,7 +121,10 @@ void BoundaryTool::release(const Pointer& pointer) {
 }
 
 void BoundaryTool::changePoints(int boundary, const std::vector<Vec3>& points, const char* gesture) {
-  studio_.gesture(withBoundaryPoints(studio_.text(), boundary, points), gesture);
+  std::string text = withBoundaryPoints(studio_.text(), boundary, points);
+  const int other = studio_.settings.mirror ? mirrorImageOf(studio_.scene(), boundary) : -1;
+  if (other >= 0) text = withBoundaryPoints(text, other, mirrored(points));
+  studio_.gesture(text, gesture);
 }
 
 /// Inserts a point between the two of the loop that is under the pointer between which it lies.
@@ -143,8 +146,10 @@ void BoundaryTool::insertAt(const Pointer& pointer) {
     }
   }
   if (boundary < 0) return studio_.refuse("no loop through points is near: Ctrl+click on such a loop inserts a point");
+  if (handleAt(pointer)) return studio_.refuse("there is a point already: Ctrl+click between two points inserts one");
   std::vector<Vec3> points = (*requests())[boundary].points;
   points.insert(points.begin() + after + 1, point->made);
+  selected_ = Handle{boundary, after + 1};
   changePoints(boundary, points, "insert a point");
 }
 

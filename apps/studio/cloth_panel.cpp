@@ -6,6 +6,8 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "apps/studio/number_box.h"
+
 namespace ease {
 
 const std::vector<ClothPanel::Entry>& ClothPanel::entries() {
@@ -32,7 +34,7 @@ ClothPanel::ClothPanel(Studio& studio, QWidget* parent) : QWidget(parent), studi
   auto* form = new QFormLayout(this);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   for (const Entry& entry : entries()) {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberBox;
     box->setObjectName(entry.name);
     box->setDecimals(entry.decimals);
     box->setRange(entry.low, entry.high);
@@ -52,6 +54,8 @@ void ClothPanel::showScene() {
   for (size_t k = 0; k < boxes_.size(); ++k) {
     const QSignalBlocker block(boxes_[k]);
     boxes_[k]->setValue(entries()[k].of(studio_.scene()));
+    const std::string key = entries()[k].key;
+    boxes_[k]->setEnabled(studio_.scene().material.membrane == Membrane::woven || (key != "stretch" && key != "shear"));
   }
 }
 

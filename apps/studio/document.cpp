@@ -50,22 +50,31 @@ Document::Document(std::string text, std::filesystem::path file) : file_(std::mo
 
 Document Document::open(const std::filesystem::path& file) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) readScene(file);  // says what is wrong
-  Document document(contentOf(file), file);
-  const std::filesystem::path unsaved = unsavedFile(file);
-  if (!std::filesystem::is_regular_file(unsaved, ignored)) return document;
-  const std::string text = contentOf(unsaved);
-  if (text.empty() || text == document.text()) return document;
-  try {
-    document.apply(text, "unsaved work");
-    document.was_recovered_ = true;
-  } catch (const InputError&) {  // not from this program; the file itself counts
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    if (std::filesystem::is_regular_file(unsavedFile(file), ignored)) return builtin(file);  // a new one, never saved
+    readScene(file);                                                                         // says what is wrong
   }
+  Document document(contentOf(file), file);
+  document.recover();
   return document;
 }
 
 Document Document::builtin(const std::filesystem::path& file) {
-  return {kBuiltinScene, file};
+  Document document(kBuiltinScene, file);
+  document.recover();
+  return document;
+}
+
+void Document::recover() {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(unsavedFile(file_), ignored)) return;
+  const std::string unsaved = contentOf(unsavedFile(file_));
+  if (unsaved.empty() || unsaved == text()) return;
+  try {
+    apply(unsaved, "unsaved work");
+    was_recovered_ = true;
+  } catch (const InputError&) {  // not from this program; the file itself counts
+  }
 }
 
 std::filesystem::path Document::unsavedFile(const std::filesystem::path& file) {

@@ -18,9 +18,9 @@ class Document {
   /// Begins with this text.  `file`: what it is saved to, and what its file names are relative to.  Throws InputError
   /// if it is no scene, nor a draft of one.
   Document(std::string text, std::filesystem::path file);
-  /// Reads a file, or, if a crash left newer unsaved work beside it, that.
+  /// Reads a file; unsaved work that a crash left beside it is a gesture more, which undo drops.
   static Document open(const std::filesystem::path& file);
-  /// A new scene on the built-in body without a garment.
+  /// A new scene on the built-in body without a garment, and unsaved work of it, as open() does.
   static Document builtin(const std::filesystem::path& file);
 
   const std::string& text() const { return history_[now_].text; }
@@ -53,6 +53,7 @@ class Document {
     std::string text, gesture;
   };
   void readAgain();
+  void recover();
 
   std::filesystem::path file_;
   std::vector<Version> history_;

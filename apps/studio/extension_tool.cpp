@@ -12,15 +12,17 @@ namespace ease {
 
 namespace {
 
-constexpr double kMinPull = 4.0;           // pixels: less is a click
-constexpr double kMinLength = 0.01;        // m
-constexpr double kPixelsForTwice = 240.0;  // across the axis: twice as wide
+constexpr double kMinPull = 4.0;     // pixels: less is a click
+constexpr double kMinLength = 0.01;  // m
+constexpr double kMiddle = 0.3;      // of the loop's half width: pressed nearer to the axis, any way across is outward
 
 }  // namespace
 
 std::string ExtensionTool::hint() const {
-  if (drag_) return fmt::format("{:.2f} m longer, {:.2f} times as wide", drag_->more, drag_->wider);
-  return "Press on an edge of the garment and pull: along its axis longer, across wider";
+  if (drag_ && drag_->more < -0.005)
+    return fmt::format("{:.2f} m shorter, {:.2f} times as wide", -drag_->more, drag_->wider);
+  if (drag_) return fmt::format("{:.2f} m longer, {:.2f} times as wide", std::max(drag_->more, 0.0), drag_->wider);
+  return "Press on an edge of the garment and pull: along its axis longer, outward wider";
 }
 
 void ExtensionTool::hover(const Pointer& pointer) {
@@ -57,12 +59,11 @@ void ExtensionTool::press(const Pointer& pointer) {
   Drag drag{hit->loop, -1, 0.0, 1.0, positionsOf(loop.vertices, studio_.stage.cloth()), {}, {}, pointer.x, pointer.y};
   drag.centre = centreOfMass(drag.points);
   drag.axis = axisOf(loop.vertices, drag.centre, drag.points);
-  const std::vector<Extension>& extensions = studio_.scene().garment.tools->extensions;
-  for (size_t k = 0; k < extensions.size(); ++k) {
-    if (extensions[k].loop != loop.name || extensions[k].to) continue;
-    drag.number = static_cast<int>(k);
-    drag.length = extensions[k].length;
-    drag.scale = extensions[k].scale;
+  drag.number = extensionOf(loop.name);
+  if (drag.number >= 0) {
+    const Extension& extension = studio_.scene().garment.tools->extensions[drag.number];
+    drag.length = extension.length;
+    drag.scale = extension.scale;
   }
   drag_ = drag;
 }
@@ -82,9 +83,15 @@ void ExtensionTool::drag(const Pointer& pointer) {
   ax /= pixels;
   ay /= pixels;
   drag_->more = 0.1 * (dx * ax + dy * ay) / pixels;
-  // Away from the loop's middle is wider.
-  const double side = (drag_->from_x - centre.x) * ay - (drag_->from_y - centre.y) * ax >= 0.0 ? 1.0 : -1.0;
-  drag_->wider = std::clamp(std::exp2(side * (dx * ay - dy * ax) / kPixelsForTwice), 0.1, 20.0);
+  const auto across = [&](double x, double y) { return x * ay - y * ax; };  // pixels
+  double half_width = 1.0;
+  for (const Vec3& point : drag_->points) {
+    const Projected seen = studio_.stage.project(point);
+    half_width = std::max(half_width, std::abs(across(seen.x - centre.x, seen.y - centre.y)));
+  }
+  const double from = across(drag_->from_x - centre.x, drag_->from_y - centre.y), pull = across(dx, dy);
+  const double outward = std::abs(from) < kMiddle * half_width ? std::abs(pull) : std::copysign(1.0, from) * pull;
+  drag_->wider = std::clamp(1.0 + outward / half_width, 0.1, 20.0);
   studio_.say(hint());
 }
 
@@ -99,10 +106,30 @@ void ExtensionTool::release(const Pointer&) {
     studio_.gesture(without(studio_.text(), {PartKind::extension, drag.number, ""}), "remove the extension");
     return;
   }
+  const double scale = std::clamp(drag.scale * drag.wider, 0.1, 20.0);
   const std::string name = studio_.stage.made().edges[drag.loop].name;
-  studio_.gesture(
-      withExtension(studio_.text(), drag.number, name, length, std::clamp(drag.scale * drag.wider, 0.1, 20.0)),
-      "extend '" + name + "'");
+  std::string text = withExtension(studio_.text(), drag.number, name, length, scale);
+  if (const std::string other = studio_.settings.mirror ? mirrorImageOf(name) : ""; !other.empty())
+    text = withExtension(text, extensionOf(other), other, length, scale);
+  studio_.gesture(text, "extend '" + name + "'");
+}
+
+/// The extension of a loop that ends freely, by its number; -1: there is none.
+int ExtensionTool::extensionOf(const std::string& loop) const {
+  const std::vector<Extension>& extensions = studio_.scene().garment.tools->extensions;
+  int number = -1;
+  for (size_t k = 0; k < extensions.size(); ++k)
+    if (extensions[k].loop == loop && !extensions[k].to) number = static_cast<int>(k);
+  return number;
+}
+
+std::string ExtensionTool::mirrorImageOf(const std::string& loop) const {
+  const std::vector<LoopRequest>& loops = studio_.scene().garment.tools->boundaries;
+  for (size_t k = 0; k < loops.size(); ++k)
+    if (loops[k].name == loop)
+      if (const int other = ease::mirrorImageOf(studio_.scene(), static_cast<int>(k)); other >= 0)
+        return loops[other].name;
+  return "";
 }
 
 std::vector<Vec3> ExtensionTool::pulledLoop() const {

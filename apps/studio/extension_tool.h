@@ -30,6 +30,9 @@ class ExtensionTool : public Tool {
     bool moved = false;
   };
   std::vector<Vec3> pulledLoop() const;
+  int extensionOf(const std::string& loop) const;
+  /// The boundary on the other side of the body; empty: there is none.
+  std::string mirrorImageOf(const std::string& loop) const;
   Vec3 axisOf(const std::vector<int>& loop, const Vec3& centre, const std::vector<Vec3>& points) const;
 
   int hovered_ = -1;

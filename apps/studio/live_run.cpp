@@ -166,30 +166,25 @@ void LiveRun::stepPart(const Moment& moment, int part) {
 std::string LiveRun::change(std::shared_ptr<const MadeGarment> made) {
   const std::shared_ptr<const MadeGarment> before = std::exchange(made_, std::move(made));
   const Triangles &old_triangles = before->input.garment.triangles, &triangles = made_->input.garment.triangles;
-  const bool same_mesh = old_triangles.rows() == triangles.rows() && old_triangles == triangles;
+  const bool same_mesh = old_triangles.rows() == triangles.rows() && old_triangles == triangles &&
+                         before->scene.garment.grain == made_->scene.garment.grain;
   return same_mesh ? changeInPlace(*before) : changeMesh(*before);
 }
 
 std::string LiveRun::changeInPlace(const MadeGarment& before) {
   const std::vector<PinAnchor> anchors = pins_.anchors();
-  const auto material = [](const MadeGarment& made) {
-    const Material& m = made.scene.material;
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", m.density, m.total_mass.value_or(0), m.stretch_warp,
-                       m.stretch_weft, m.compression, m.shear, m.bending, m.mu, m.lambda, m.damping_stretch,
-                       m.damping_shear, m.damping_bending);
-  };
-  const auto settings = [&](const MadeGarment& made) {  // all that the step and the adaption are made for
-    const Scene& scene = made.scene;
-    return fmt::format("{} {} {} {}", material(made), scene.adaption ? scene.adaption->limit : kUsualLimit,
-                       scene.collision.friction, scene.collision.offset);
-  };
-  if (material(before) != material(*made_)) {  // the rest shapes stay
+  const bool same_material = before.scene.material == made_->scene.material;
+  const auto limit = [](const Scene& scene) { return scene.adaption ? scene.adaption->limit : kUsualLimit; };
+  const bool same_settings = same_material && limit(before.scene) == limit(made_->scene) &&
+                             before.scene.collision.friction == made_->scene.collision.friction &&
+                             before.scene.collision.offset == made_->scene.collision.offset;
+  if (!same_material) {  // the rest shapes stay
     const RestShape first = cloth_->first(), rest = cloth_->rest();
     cloth_.emplace(made_->input.garment, made_->scene.garment.grain, made_->scene.material);
     cloth_->setFirst(first);
     cloth_->setRest(rest);
   }
-  if (settings(before) != settings(*made_)) {
+  if (!same_settings) {
     const std::vector<Mat2> wanted = adaption_->wantedEdges();
     const Schedule on_the_way = settings_->schedule;
     makeStep();
@@ -199,7 +194,7 @@ std::string LiveRun::changeInPlace(const MadeGarment& before) {
   const std::vector<double> more = paintBetween(paint_, made_->input.paint);
   if (!more.empty()) adaption_->rescale(more, kPaintIterations);
   paint_ = made_->input.paint;
-  const bool meets_anew = settings(before) != settings(*made_) || before.input.offsets != made_->input.offsets;
+  const bool meets_anew = !same_settings || before.input.offsets != made_->input.offsets;
   if (body_ && meets_anew) {
     if (largestOffset() > band_) {  // the level sets do not reach that far
       if (moving_ < way_steps_)
@@ -212,7 +207,7 @@ std::string LiveRun::changeInPlace(const MadeGarment& before) {
   }
   setPins(anchors);
   measureStretch(*cloth_, state_.positions, stretch_);
-  return "taken in while it runs";
+  return "taken in";
 }
 
 std::string LiveRun::changeMesh(const MadeGarment& before) {
@@ -237,8 +232,8 @@ std::string LiveRun::changeMesh(const MadeGarment& before) {
   if (body_) meetBody();
   setPins({});
   measureStretch(*cloth_, state_.positions, stretch_);
-  return fmt::format("carried over: {} of {} vertices lie on the cloth that was there", carried.tied,
-                     mesh.positions.rows());
+  return fmt::format("taken in: {:.0f} % of the new garment goes on where the old one was",
+                     100.0 * static_cast<double>(carried.tied) / static_cast<double>(mesh.positions.rows()));
 }
 
 LiveFrame LiveRun::frame(bool all) {

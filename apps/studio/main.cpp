@@ -1,6 +1,6 @@
 // ease-studio [SCENE]: makes, changes and fits a garment by hand.  Without a scene it begins with the built-in body.
 #include <QApplication>
-#include <QMessageBox>
+#include <QTimer>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -27,6 +27,10 @@ int main(int argc, char** argv) {
     auto* window = new ease::MainWindow(std::move(document));
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->show();
+    QTimer::singleShot(100, window, [window] {  // once the frame around it is known
+      window->keepOnScreen();
+      window->offerUnsavedWork();
+    });
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ease-studio: error: %s\n", error.what());
     return 1;

@@ -2,7 +2,6 @@
 
 #include <QCloseEvent>
 #include <QFileDialog>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QMessageBox>
 #include <QScreen>
@@ -26,7 +25,7 @@ constexpr int kReportTick = 500;        // ms
 }  // namespace
 
 MainWindow::MainWindow(Document document) {
-  resize(QSize(1280, 800).boundedTo(QGuiApplication::primaryScreen()->availableSize()));
+  resize(1280, 800);
   centre_ = new QWidget;
   auto* row = new QHBoxLayout(centre_);
   row->setContentsMargins(0, 0, 0, 0);
@@ -123,7 +122,8 @@ void MainWindow::sync() {
   }
   play_->setChecked(studio_->simulation().plays());
   adapt_->setChecked(studio_->adapts());
-  undo_->setEnabled(studio_->document().canUndo());
+  if (poses_->currentRow() != studio_->pose()) poses_->setCurrentRow(studio_->pose());
+  undo_->setEnabled(studio_->document().canUndo() || (tool_ && tool_->isDrawing()));
   redo_->setEnabled(studio_->document().canRedo());
   showStatus();
 }
@@ -225,20 +225,25 @@ bool MainWindow::mayDropWork() {
   if (studio_->document().isSaved()) return true;
   const auto answer = QMessageBox::question(this, "Unsaved work", "Save the scene first?",
                                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  if (answer == QMessageBox::Cancel) return false;
-  if (answer == QMessageBox::Save) return save();
-  studio_->document().discardUnsaved();
-  return true;
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 
-bool MainWindow::open(const QString& file, bool asks) {
-  if (asks && !mayDropWork()) return false;
+bool MainWindow::mayEndRun() {
+  const QList<RunDialog*> dialogs = findChildren<RunDialog*>();
+  if (std::none_of(dialogs.begin(), dialogs.end(), [](RunDialog* dialog) { return dialog->isRunning(); })) return true;
+  return QMessageBox::question(this, "Still computing",
+                               "A run or a pattern is still being computed. End it? What is written by then can be "
+                               "opened, and a run can be gone on with.") == QMessageBox::Yes;
+}
+
+bool MainWindow::replaceBy(const std::function<Document()>& read, bool asks) {
+  if (asks && !(mayDropWork() && mayEndRun())) return false;
   try {
-    Document document = Document::open(file.toStdString());
-    auto* window = new MainWindow(std::move(document));
+    auto* window = new MainWindow(read());
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->setGeometry(geometry());
     window->show();
+    if (asks) window->offerUnsavedWork();
     studio_->document().discardUnsaved();
     setAttribute(Qt::WA_DeleteOnClose);
     asks_ = false;
@@ -251,9 +256,38 @@ bool MainWindow::open(const QString& file, bool asks) {
   }
 }
 
+bool MainWindow::open(const QString& file, bool asks) {
+  return replaceBy([&] { return Document::open(file.toStdString()); }, asks);
+}
+
+bool MainWindow::openNew() {
+  const std::filesystem::path folder = studio_->document().file().parent_path();
+  std::filesystem::path file = folder / "studio.toml";
+  for (int k = 2; std::filesystem::exists(file) || std::filesystem::exists(Document::unsavedFile(file)); ++k)
+    file = folder / ("studio " + std::to_string(k) + ".toml");
+  return replaceBy([&] { return Document::builtin(file); }, true);
+}
+
+void MainWindow::offerUnsavedWork() {
+  if (!studio_->document().wasRecovered()) return;
+  const auto answer = QMessageBox::question(this, "Unsaved work",
+                                            "Work on this scene that was not saved has been found. Keep it?\n"
+                                            "(If not, Ctrl+Shift+Z still brings it back until the window is closed.)");
+  if (answer == QMessageBox::No) studio_->undo();
+  sync();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (asks_ && !mayDropWork()) return event->ignore();
+  if (asks_ && !(mayDropWork() && mayEndRun())) return event->ignore();
+  if (asks_) studio_->document().discardUnsaved();
   event->accept();
+}
+
+void MainWindow::keepOnScreen() {
+  const QRect room = screen()->availableGeometry();
+  const QSize frame = frameGeometry().size() - size();
+  resize(size().boundedTo(room.size() - frame));
+  if (frameGeometry().bottom() > room.bottom() || frameGeometry().right() > room.right()) move(room.topLeft());
 }
 
 }  // namespace ease

@@ -38,6 +38,12 @@ class MainWindow : public QMainWindow {
   bool save();
   /// Opens another scene; asks about unsaved work if `asks`.
   bool open(const QString& file, bool asks = true);
+  /// Begins a new scene on the built-in body, in a file whose name is free.
+  bool openNew();
+  /// Asks whether unsaved work that a crash left is kept, if there is any.
+  void offerUnsavedWork();
+  /// Keeps the window and its frame on the screen, so that the status line can be read.
+  void keepOnScreen();
   /// Does what `ease run` does with the saved scene.
   RunDialog* run();
   /// Does what `ease pattern` does with it, runs it first where that has not been done, and shows the pieces.
@@ -75,6 +81,9 @@ class MainWindow : public QMainWindow {
   void saveAs();
   void exportPicture();
   bool mayDropWork();
+  bool mayEndRun();
+  /// Shows another document in a new window and closes this one; says why if it cannot be read.
+  bool replaceBy(const std::function<Document()>& read, bool asks);
   void changeRadius(double factor);
   void tick();
 

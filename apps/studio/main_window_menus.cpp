@@ -112,6 +112,7 @@ void MainWindow::makeActions() {
 
 void MainWindow::makeFileMenu() {
   QMenu* menu = menuBar()->addMenu("&File");
+  add(menu, "&New", "Ctrl+N", "Begins a new scene on the built-in body", [this] { openNew(); });
   add(menu, "&Open ...", "Ctrl+O", "Opens another scene", [this] {
     const QString file = QFileDialog::getOpenFileName(this, "Open a scene", "", "Scenes (*.toml)");
     if (!file.isEmpty()) open(file);
@@ -130,7 +131,8 @@ void MainWindow::makeFileMenu() {
 
 void MainWindow::makeEditMenu() {
   QMenu* menu = menuBar()->addMenu("&Edit");
-  undo_ = add(menu, "&Undo", "Ctrl+Z", "Takes the last gesture back", [this] { studio_->undo(); });
+  undo_ = add(menu, "&Undo", "Ctrl+Z", "Takes the last gesture back, or the last point of a line that is being drawn",
+              [this] { tool_->isDrawing() ? tool_->back() : studio_->undo(); });
   redo_ = add(menu, "&Redo", "Ctrl+Shift+Z Ctrl+Y", "Does it again", [this] { studio_->redo(); });
   menu->addSeparator();
   add(menu, "&Close the line", "", "Closes the boundary or seam that is being drawn (Enter)",

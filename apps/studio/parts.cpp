@@ -76,6 +76,37 @@ std::vector<Part> partsOf(const Scene& scene) {
   return parts;
 }
 
+std::string userOf(const Scene& scene, const Part& part) {
+  if (!scene.garment.tools || (part.kind != PartKind::boundary && part.kind != PartKind::seam)) return "";
+  const GarmentTools& tools = *scene.garment.tools;
+  const bool is_loop = part.kind == PartKind::boundary;
+  for (const Extension& extension : tools.extensions)
+    if (is_loop && extension.loop == part.label) return "extension '" + labelOf(extension) + "'";
+  for (const SeamRequest& seam : tools.seams)
+    if (seam.name != part.label && (seam.from == part.label || seam.to == part.label))
+      return "seam '" + seam.name + "'";
+  for (const PinScene& pin : scene.garment.pins)
+    if (const auto* loop = std::get_if<std::string>(&pin.what); is_loop && loop && *loop == part.label)
+      return "pin '" + labelOf(pin) + "'";
+  return "";
+}
+
+int mirrorImageOf(const Scene& scene, int boundary) {
+  constexpr double kSamePoint = 1e-3;  // m
+  if (!scene.garment.tools) return -1;
+  const std::vector<LoopRequest>& loops = scene.garment.tools->boundaries;
+  const auto isImage = [](const Vec3& a, const Vec3& b) {
+    return (Vec3(-a.x(), a.y(), a.z()) - b).norm() < kSamePoint;
+  };
+  for (size_t other = 0; other < loops.size(); ++other) {
+    const std::vector<Vec3>&points = loops[boundary].points, &images = loops[other].points;
+    if (static_cast<int>(other) != boundary && !points.empty() && points.size() == images.size() &&
+        std::equal(points.begin(), points.end(), images.begin(), isImage))
+      return static_cast<int>(other);
+  }
+  return -1;
+}
+
 std::string freeName(const Scene& scene, PartKind kind) {
   std::set<std::string> taken;
   for (const Part& part : partsOf(scene))

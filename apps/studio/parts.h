@@ -27,6 +27,12 @@ const char* pluralOf(PartKind kind);
 /// All parts of a scene, kind after kind in the order of PartKind.
 std::vector<Part> partsOf(const Scene& scene);
 
+/// A part that names this one and cannot be without it, for people: "extension 'waist + 0.40 m'"; empty: there is none.
+std::string userOf(const Scene& scene, const Part& part);
+
+/// The boundary whose points are the mirror images of those of the k-th one, x and -x; -1: there is none.
+int mirrorImageOf(const Scene& scene, int boundary);
+
 /// A name that no boundary (or seam) of the scene has: "loop 1", "loop 2", ... ("seam 1", ...).
 std::string freeName(const Scene& scene, PartKind kind);
 

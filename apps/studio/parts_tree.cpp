@@ -60,10 +60,13 @@ void PartsTree::select(const std::optional<Part>& part) {
 }
 
 void PartsTree::removeSelected() {
-  if (const std::optional<Part> part = selected())
-    studio_.gesture(without(studio_.text(), *part), "remove '" + part->label + "'");
-  else
+  const std::optional<Part> part = selected();
+  if (!part)
     studio_.refuse("select a part in the list first; Del then removes it");
+  else if (const std::string user = userOf(studio_.scene(), *part); !user.empty())
+    studio_.refuse("'" + part->label + "' is used by the " + user + ": remove that first");
+  else
+    studio_.gesture(without(studio_.text(), *part), "remove '" + part->label + "'");
   Q_EMIT used();
 }
 

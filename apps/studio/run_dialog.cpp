@@ -3,15 +3,26 @@
 #include <signal.h>
 
 #include <QCoreApplication>
+#include <QDesktopServices>
 #include <QFile>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QPixmap>
+#include <QScreen>
+#include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace ease {
+
+namespace {
+
+constexpr int kMaxWarnings = 4;  // more are told by their number
+
+}  // namespace
 
 QString RunDialog::program() {
   const QString beside = QCoreApplication::applicationDirPath();
@@ -35,8 +46,25 @@ RunDialog::RunDialog(const QStringList& commands, const QString& scene, const QS
   column->addWidget(text_);
   column->addWidget(picture_);
   column->addWidget(bar_);
-  column->addWidget(button_, 0, Qt::AlignRight);
+  go_on_ = new QPushButton("Go on");
+  go_on_->setToolTip("Computes on from where it was interrupted");
+  page_ = new QPushButton("Open the page");
+  page_->setToolTip("The whole result in the browser: pictures, figures by part, charts");
+  auto* row = new QHBoxLayout;
+  row->addStretch();
+  for (QPushButton* button : {go_on_, page_, button_}) row->addWidget(button);
+  column->addLayout(row);
+  go_on_->hide();
+  page_->hide();
   setMinimumWidth(560);
+  connect(go_on_, &QPushButton::clicked, this, [this] {
+    resumes_ = true;
+    clock_.start();
+    tick_.start(1000);
+    start();
+  });
+  connect(page_, &QPushButton::clicked, this,
+          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(directory_ + "/fit.html")); });
   connect(button_, &QPushButton::clicked, this, [this] { isRunning() ? interrupt() : accept(); });
   process_.setProcessChannelMode(QProcess::MergedChannels);
   connect(&process_, &QProcess::readyRead, this, [this] { readProgress(); });
@@ -55,8 +83,13 @@ RunDialog::RunDialog(const QStringList& commands, const QString& scene, const QS
 
 void RunDialog::start() {
   said_.clear();
+  was_ended_ = false;
   bar_->setRange(0, 0);
-  process_.start(program(), {commands_.front(), scene_, "-o", directory_});
+  bar_->show();
+  go_on_->hide();
+  button_->setText("Cancel");
+  process_.start(program(),
+                 {commands_.front(), scene_, resumes_ && commands_.front() == "run" ? "--resume" : "-o", directory_});
 }
 
 RunDialog::~RunDialog() {
@@ -67,6 +100,7 @@ RunDialog::~RunDialog() {
 }
 
 void RunDialog::interrupt() {
+  was_ended_ = true;
   if (process_.processId() > 0) kill(static_cast<pid_t>(process_.processId()), SIGINT);
   text_->setText("Ending; what is written by then can be opened ...");
 }
@@ -86,7 +120,7 @@ void RunDialog::readProgress() {
 
 void RunDialog::finish(int code) {
   said_ += QString::fromUtf8(process_.readAll());
-  constexpr int kDone = 0, kDoubtful = 3, kInterrupted = 130;  // exit codes of ease
+  constexpr int kDone = 0, kDoubtful = 3;  // exit codes of ease
   const bool is_done = code == kDone || code == kDoubtful;
   if (is_done && commands_.size() > 1) {
     commands_.removeFirst();
@@ -95,34 +129,64 @@ void RunDialog::finish(int code) {
   tick_.stop();
   bar_->hide();
   button_->setText("Close");
-  if (is_done || code == kInterrupted) showResult();
+  was_ended_ = was_ended_ && !is_done;
+  go_on_->setVisible(was_ended_ && QFile::exists(directory_ + "/checkpoint.bin"));
+  if (is_done || was_ended_) showResult();
   if (is_done) Q_EMIT succeeded();
-  if (is_done || code == kInterrupted) return;
+  if (is_done || was_ended_) return;
   const QStringList lines = said_.split('\n', Qt::SkipEmptyParts);
   text_->setText("It failed: " + (lines.isEmpty() ? QString("exit code %1").arg(code) : lines.back()));
 }
 
-void RunDialog::showResult() {
-  QFile file(directory_ + "/report.json");
+/// What report.json says of the garment, and of its pattern where that was made.
+QString RunDialog::wordsOfResult() const {
   QString text = "Results in " + directory_;
-  if (file.open(QIODevice::ReadOnly)) {
-    const QJsonObject report = QJsonDocument::fromJson(file.readAll()).object();
-    const auto share = [&](const char* which) {
-      return 100.0 * report["sigma_1"].toObject()[which].toObject()["share_over_limit"].toDouble(-0.01);
-    };
-    if (share("before") >= 0.0 && share("after") >= 0.0)
-      text += QString("\nTriangles over the limit at the worst moment: %1 % before, %2 % after")
-                  .arg(share("before"), 0, 'f', 2)
-                  .arg(share("after"), 0, 'f', 2);
-    for (const QJsonValue& doubt : report["doubts"].toArray()) text += "\nThe figures say nothing: " + doubt.toString();
-    if (report["interrupted"].toBool()) text += "\nIt was interrupted; `ease run --resume` goes on from there.";
-  }
-  text_->setText(text);
+  QFile file(directory_ + "/report.json");
+  if (!file.open(QIODevice::ReadOnly)) return text;
+  const QJsonObject report = QJsonDocument::fromJson(file.readAll()).object();
+  const auto percent = [](double share) { return QString("%1 %").arg(100.0 * share, 0, 'f', 2); };
+  const auto share = [&](const char* which) {
+    return report["sigma_1"].toObject()[which].toObject()["share_over_limit"].toDouble(-1.0);
+  };
+  const QJsonObject sewn = report["pattern"].toObject()["resewn"].toObject();
+  if (commands_.front() == "pattern" && !sewn.isEmpty())
+    text += QString(
+                "\nSewn from these pieces the garment lies %1 mm from the designed one (RMS), %2 mm at most; the "
+                "picture shows where")
+                .arg(sewn["rms_mm"].toDouble(), 0, 'f', 1)
+                .arg(sewn["max_mm"].toDouble(), 0, 'f', 0);
+  if (commands_.front() == "pattern" && sewn["share_over_limit"].isDouble())
+    text += "\nTriangles over the limit once sewn: " + percent(sewn["share_over_limit"].toDouble());
+  if (commands_.front() == "run" && share("before") >= 0.0 && share("after") >= 0.0)
+    text += "\nTriangles over the limit at the worst moment: " + percent(share("before")) + " before, " +
+            percent(share("after")) + " after";
+  for (const QJsonValue& doubt : report["doubts"].toArray()) text += "\nThe figures say nothing: " + doubt.toString();
+  const QJsonArray warnings =
+      (commands_.front() == "run" ? report : report["pattern"].toObject())["warnings"].toArray();
+  for (int k = 0; k < std::min<int>(warnings.size(), kMaxWarnings); ++k) text += "\nWarning: " + warnings[k].toString();
+  if (warnings.size() > kMaxWarnings)
+    text += QString("\n... and %1 warnings more in report.json").arg(warnings.size() - kMaxWarnings);
+  return text;
+}
+
+void RunDialog::showResult() {
+  text_->setText((was_ended_ ? "It was ended before it was done. " : "") + wordsOfResult());
   const QPixmap stretch(directory_ + (commands_.front() == "run" ? "/stretch.png" : "/pattern_resewn.png"));
+  const QSize room = (screen()->availableGeometry().size() - QSize(100, 320)).boundedTo({960, 600});
   if (!stretch.isNull())
-    picture_->setPixmap(stretch.scaled(int(960 * devicePixelRatioF()), int(600 * devicePixelRatioF()),
-                                       Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    picture_->setPixmap(stretch.scaled(room * devicePixelRatioF(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
+  page_->setVisible(QFileInfo::exists(directory_ + "/fit.html"));
+  keepOnScreen();
+}
+
+void RunDialog::keepOnScreen() {
   adjustSize();
+  const QRect room = screen()->availableGeometry();
+  const QSize frame = frameGeometry().size() - size();
+  resize(size().boundedTo(room.size() - frame));
+  const QPoint furthest = room.bottomRight() - QPoint(width() + frame.width(), height() + frame.height());
+  move(std::clamp(x(), room.left(), std::max(room.left(), furthest.x())),
+       std::clamp(y(), room.top(), std::max(room.top(), furthest.y())));
 }
 
 }  // namespace ease

@@ -21,6 +21,7 @@ class RunDialog : public QDialog {
   ~RunDialog() override;
 
   bool isRunning() const { return process_.state() != QProcess::NotRunning; }
+  QString text() const { return text_->text(); }
   /// As Ctrl+C does; what is written by then can be opened.
   void interrupt();
 
@@ -36,6 +37,8 @@ class RunDialog : public QDialog {
   void readProgress();
   void finish(int code);
   void showResult();
+  QString wordsOfResult() const;
+  void keepOnScreen();
 
   QStringList commands_;  // still to be done; the first is running
   QString scene_, directory_, said_;
@@ -44,7 +47,8 @@ class RunDialog : public QDialog {
   QTimer tick_;
   QLabel *text_, *picture_;
   QProgressBar* bar_;
-  QPushButton* button_;
+  QPushButton *button_, *go_on_, *page_;
+  bool resumes_ = false, was_ended_ = false;
 };
 
 }  // namespace ease

@@ -18,6 +18,7 @@ class SeamTool : public Tool {
   void back() override;
   void cancel() override;
   void remove() override;
+  bool isDrawing() const override { return !points_.empty(); }
   void addMarks(Marks& marks) const override;
 
  private:

@@ -32,7 +32,6 @@ Studio::Studio(Document document, std::function<void()> on_news)
   stage.setBody(body_mesh_.triangles, body_mesh_.positions);
   adapts_ = scene().adaption.has_value();
   simulation_ = std::make_unique<Simulation>(on_news_);
-  if (document_.wasRecovered()) say("unsaved work from last time is back; save it, or undo to drop it");
   startMaking(false);
 }
 
@@ -71,8 +70,16 @@ bool Studio::gesture(const std::string& text, const std::string& name) {
   return true;
 }
 
+/// Waits for the garment that is being made; returns whether it could be made.
+bool Studio::lastWasTaken() {
+  if (!isMaking()) return true;
+  say("");
+  takeMade();
+  return !isRefusal();
+}
+
 void Studio::undo() {
-  if (isBusy()) return;
+  if (!lastWasTaken()) return;
   const std::string gesture = document_.undo();
   if (gesture.empty()) return refuse("nothing to undo");
   ++text_revision_;
@@ -81,7 +88,7 @@ void Studio::undo() {
 }
 
 void Studio::redo() {
-  if (isBusy()) return;
+  if (!lastWasTaken()) return;
   const std::string gesture = document_.redo();
   if (gesture.empty()) return refuse("nothing to do again");
   ++text_revision_;
@@ -218,9 +225,11 @@ void Studio::goTo(int pose) {
 
 void Studio::setAdapting(bool adapts) {
   adapts_ = adapts;
-  simulation_->post([adapts](std::unique_ptr<LiveRun>& run) {
+  std::string words = adapts ? "the rest shape is let out where it is too tight" : "the rest shape stays as it is";
+  if (adapts && !scene().adaption) words += "; Run lets nothing out until the scene has a limit: set Limit under Cloth";
+  simulation_->post([adapts, words](std::unique_ptr<LiveRun>& run) {
     if (run) run->setAdapting(adapts);
-    return std::string(adapts ? "the rest shape is let out where it is too tight" : "the rest shape stays as it is");
+    return words;
   });
 }
 

@@ -53,6 +53,7 @@ class Studio {
 
   /// Takes a gesture's text.  Returns false, and has said why, if it is refused at once.
   bool gesture(const std::string& text, const std::string& name);
+  /// Both wait until what is being made is there; a gesture that is refused then is all that they take back.
   void undo();
   void redo();
   /// Whether a garment is being made.
@@ -91,6 +92,7 @@ class Studio {
   void showMade();
   void putOnStage(LiveFrame frame);
   bool isBusy();
+  bool lastWasTaken();
 
   const std::function<void()> on_news_;
   Document document_;

@@ -41,6 +41,8 @@ class Tool {
   virtual void back() {}
   virtual void cancel() {}
   virtual void remove() {}
+  /// Whether a line has been begun and is not finished.
+  virtual bool isDrawing() const { return false; }
   virtual void addMarks(Marks&) const {}
   /// A part that was picked by a click, once.
   std::optional<Part> takePicked() { return std::exchange(picked_, std::nullopt); }

@@ -3,6 +3,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "apps/studio/number_box.h"
+
 namespace ease {
 
 ToolPanel::ToolPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
@@ -46,7 +48,7 @@ ToolPanel::ToolPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_
 
 QDoubleSpinBox* ToolPanel::addNumber(const char* name, const QString& label, const QString& unit, double low,
                                      double high, double step, const QString& tip) {
-  auto* box = new QDoubleSpinBox;
+  auto* box = new NumberBox;
   box->setObjectName(name);
   box->setRange(low, high);
   box->setSingleStep(step);
@@ -66,7 +68,7 @@ void ToolPanel::setTool(PartKind kind) {
   show(radius_, kind == PartKind::paint || kind == PartKind::comfort || kind == PartKind::pin);
   show(scale_, kind == PartKind::paint);
   show(offset_, kind == PartKind::comfort);
-  mirror_->setEnabled(kind != PartKind::region && kind != PartKind::extension);
+  mirror_->setEnabled(kind != PartKind::region);
 }
 
 void ToolPanel::showSettings() {

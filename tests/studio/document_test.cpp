@@ -80,6 +80,29 @@ TEST_CASE("unsaved work survives a crash, and saving ends it") {
   CHECK_FALSE(Document::open(file).wasRecovered());
 }
 
+TEST_CASE("unsaved work on a new scene that was never saved survives a crash, and a refused gesture does not end it") {
+  const TemporaryDirectory directory;
+  const std::filesystem::path file = directory.path / "new.toml";
+  std::string unsaved;
+  {
+    Document document = Document::builtin(file);
+    CHECK_FALSE(document.wasRecovered());
+    document.apply(withLoop(document, "waist"), "boundary");
+    unsaved = document.text();
+  }
+  for (const bool by_name : {false, true}) {
+    Document again = by_name ? Document::open(file) : Document::builtin(file);
+    CHECK(again.wasRecovered());
+    CHECK(again.text() == unsaved);
+    again.apply(withLoop(again, "neck"), "boundary");
+    again.dropLast();
+    CHECK(contentOf(Document::unsavedFile(file)) == unsaved);
+  }
+  Document dropped = Document::builtin(file);
+  dropped.undo();
+  CHECK_FALSE(std::filesystem::exists(Document::unsavedFile(file)));
+}
+
 TEST_CASE("a file that is not there is refused by name") {
   CHECK_THROWS_AS(Document::open("/nowhere/scene.toml"), InputError);
 }

@@ -199,6 +199,34 @@ void WindowTest::nonsenseIsAnswered() {
   QCOMPARE(window_->studio().text(), text);
 }
 
+void WindowTest::numberFieldsLeaveKeysAndWheelAlone() {
+  auto* limit = window_->findChild<QDoubleSpinBox*>("limit");
+  QVERIFY(limit);
+  const double before = limit->value();
+  window_->view().setFocus();
+  const QPointF at(5.0, 5.0);
+  QWheelEvent wheel(at, limit->mapToGlobal(at.toPoint()), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(limit, &wheel);
+  QCOMPARE(limit->value(), before);
+
+  limit->setFocus();
+  limit->selectAll();
+  QTest::keyClicks(limit, "12");
+  QTest::keyClick(limit, Qt::Key_Return);
+  wait();
+  QCOMPARE(window_->studio().scene().adaption->limit, 0.12);
+  QTest::keyClick(limit, Qt::Key_Z, Qt::ControlModifier);
+  wait();
+  QCOMPARE(limit->value(), before);
+  QTest::keyClick(limit, Qt::Key_Space);
+  QVERIFY(window_->studio().simulation().plays());
+  QTest::keyClick(limit, Qt::Key_Space);
+  QVERIFY(!window_->studio().simulation().plays());
+  wait();
+  window_->view().setFocus();
+}
+
 /// Mean colours of 16 x 16 blocks of two pictures differ in at most half a per cent of the blocks.
 void WindowTest::staticPicturesRepeat() {
   const auto draw = [this] {
@@ -248,6 +276,7 @@ void WindowTest::aRunCanBeCancelled() {
   dialog->interrupt();
   QTRY_VERIFY_WITH_TIMEOUT(!dialog->isRunning(), 60000);
   QVERIFY(QFile::exists(directory_.path() + "/results/dress/report.json"));
+  QVERIFY2(dialog->text().startsWith("It was ended"), qPrintable(dialog->text()));
   dialog->close();
 }
 

@@ -21,6 +21,7 @@ class WindowTest : public WindowHands {
   void sleevesArePuffedWhileItRuns();
   void undoAndRedoByKeys();
   void partsAreRenamedAndRemovedInTheList();
+  void numberFieldsLeaveKeysAndWheelAlone();
   void nonsenseIsAnswered();
   void staticPicturesRepeat();
   void theSavedFileMakesTheSameGarment();

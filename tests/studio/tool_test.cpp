@@ -43,6 +43,29 @@ TEST_CASE("a waist is drawn by clicks in front and behind, moved, and a region m
   CHECK(hands.studio.scene().garment.tools->boundaries.front().points.size() == 5);
 }
 
+TEST_CASE("with Mirror on, a point that is moved moves on the other side too, and both sleeves are pulled out alike") {
+  Hands hands(kSmallDraft);
+  std::string text = hands.studio.text();
+  const std::vector<Vec3> waist = {{0.13, 1.0, 0.0}, {0.0, 1.0, 0.12}, {-0.13, 1.0, 0.0}, {0.0, 1.0, -0.12}};
+  const std::vector<Vec3> sleeve = {{0.3, 1.45, 0.0}, {0.3, 1.39, 0.05}, {0.3, 1.33, 0.0}, {0.3, 1.39, -0.05}};
+  text = withBoundary(withBoundary(withBoundary(text, "waist", waist), "left", sleeve), "right", mirrored(sleeve));
+  hands.studio.gesture(text, "loops");
+  hands.studio.finishWork();
+  const auto loops = [&] { return hands.studio.scene().garment.tools->boundaries; };
+  REQUIRE(loops().size() == 3);
+  CHECK(mirrorImageOf(hands.studio.scene(), 1) == 2);
+  CHECK(mirrorImageOf(hands.studio.scene(), 0) == -1);
+
+  hands.studio.settings.mirror = true;
+  hands.take(PartKind::boundary);
+  const Vec3 before = loops()[1].points[1];
+  hands.drag(hands.at(before), hands.at({before.x() + 0.04, before.y(), before.z()}));
+  hands.studio.finishWork();
+  INFO(hands.studio.words());
+  CHECK((loops()[1].points[1] - before).norm() > 0.02);
+  CHECK((mirrored(loops()[1].points[1]) - loops()[2].points[1]).norm() < 1e-3);
+}
+
 TEST_CASE("clicks in another pose are taken to the first one") {
   Hands hands(kSmallDraft);
   hands.studio.goTo(1);
