@@ -1,7 +1,7 @@
 // The moving body as the cloth meets it: where the body is in each part of a time step, what touches it, and how deep.
 //
 //   s     how far the body's motion is, in the interpolation steps of MovingBody; a part of a time step ends at
-//         s = q / (parts of a time step in an interpolation step) for part number q of the motion
+//         s = q / n for part number q of the motion, where an interpolation step has n such parts
 //
 // While one part is computed, the level set that the next part needs is prepared beside it.
 #pragma once
@@ -34,7 +34,7 @@ class BodyContacts {
   /// Makes the level sets that the first part of the first time step after `done` needs, around the cloth at `x`.
   void prepareFirst(const StepsDone& done, const Positions& x);
   /// Begins to prepare the level set that the part after this one needs, if it is another one, on a thread beside.
-  /// `part_s`: length of a part, s.  wait() ends that.
+  /// `part_s`: length of a part, s.  `beside.wait()` waits for it.
   void prepareNext(const Moment& moment, int part, const State& state, double part_s, TaskBeside& beside);
 
   /// Contact planes of the cloth at `x`, the body being at s.  `start`: where the body was at the start of the part,

@@ -1,7 +1,8 @@
 // What all moments of a pass ask of the rest shape: the smallest growth of every triangle that makes each of them
 // comfortable.
 //
-//   F = U diag(sigma_i) Vᵀ asks for G = V diag(max(1, sigma_i / goal)) Vᵀ   where sigma_1 is above a threshold
+//   F = U diag(sigma_i) Vᵀ asks for G = V diag(max(1, sigma_i / (1 + goal limit))) Vᵀ
+//                                       where sigma_1 is above a threshold
 //
 // after Wolff et al. 2022.  Goal and threshold lie below 1 + limit by a margin, so that the limit also holds between
 // the measured moments and in a motion that differs a little.  The smallest growth that is at least as large as the

@@ -1,7 +1,7 @@
 // The rest shape as a metric: one rest length for every edge, and the flat triangles that have these lengths.
 //
 //   D'_t    flat edges that triangle t asks for, 2x2, m
-//   l_e     rest length of edge e: the longest of |D'_t e| over the triangles t at the edge, m
+//   l_e     rest length of edge e: the longer of its lengths in the triangles D'_t beside it, m
 //   D_t     the flat triangle with the lengths l_e, turned so that it lies nearest to D'_t, m
 //
 // Neighbours agree on the length of their common edge, so the flat triangles fit together, although no surface in space
@@ -15,8 +15,9 @@
 
 namespace ease {
 
-/// Gives the cloth the metric nearest to its triangles grown by `growth` (growth.h); the positions of the rest shape in
-/// space stay.  A triangle keeps its edges to the last bit where neither it nor a neighbour grows.
+/// Gives the cloth the smallest metric in which no edge is shorter than its triangles grown by `growth` ask for
+/// (growth.h); the positions of the rest shape in space stay.  A triangle keeps its edges to the last bit where neither
+/// it nor a neighbour grows.
 void growMetric(const std::vector<Mat2>& growth, Cloth& cloth);
 
 /// The flat triangle with edges of these lengths, m: from corner 0 to 1, from 0 to 2, and from 1 to 2.  It is turned

@@ -37,7 +37,7 @@ class Run {
   /// Begins with the cloth's present rest shape; growth counts from its first.
   Run(const RunSettings& settings, const RunInput& input, Cloth& cloth);
 
-  /// Takes the place of the start shape.  Must come before run().
+  /// Goes on from `from` instead of the start shape.  Must come before run().
   void resume(const RunState& from);
 
   /// Carries the cloth through all moments of the schedule.  Throws ComputationError with the time step at which the

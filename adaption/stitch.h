@@ -1,6 +1,6 @@
 // Stitching: joins rest triangles, each of which grew on its own, into one mesh again, as rigidly as possible.
 //
-//   minimise over x, R_t   sum_t a_t |E_t(x) D_t^-1 - R_t D'_t D_t^-1|^2 + nearness
+//   minimise over x, R_t   sum_t a_t |E_t(x) D_t^-1 - R_t D'_t D_t^-1|^2 + a weak pull towards the present rest shape
 //
 //   D_t   2x2 edges of the first rest shape, D'_t wanted edges, m      R_t  3x2 with orthonormal columns
 //   E_t   3x2 edges of the stitched mesh, m

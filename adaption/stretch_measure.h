@@ -15,8 +15,8 @@ struct Stretch {
   Eigen::Vector2d direction;  // unit, of sigma_1 in the material's plane: first column of V
 };
 
-/// Principal stretches of one deformation gradient (3x2 or 2x2), in closed form.
-Stretch principalStretch(const Mat2& metric);  // metric FᵀF
+/// Principal stretches and their direction from the metric FᵀF, in closed form.
+Stretch principalStretch(const Mat2& metric);
 
 /// Computes the stretch of each triangle for vertices at x.
 void measureStretch(const Cloth& cloth, const Positions& x, std::vector<Stretch>& stretch);
@@ -25,7 +25,7 @@ void measureStretch(const Cloth& cloth, const Positions& x, std::vector<Stretch>
 struct StretchStatistics {
   double max = 0.0, p99 = 0.0;
   double share_over_limit = 0.0;       // of the triangles, 0 to 1
-  double taut_share_over_limit = 0.0;  // those of them that are taut, not crumpled
+  double taut_share_over_limit = 0.0;  // of all triangles, those over the limit that are taut
 };
 
 /// Summarises one stretch per triangle; the share counts those above 1 + limit.

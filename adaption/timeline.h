@@ -13,7 +13,7 @@ struct Schedule {
   double time_step = 0.0025;     // s
   int poses = 0;                 // of the body; 0: there is no body
   int interpolation_steps = 60;  // from a pose to the next; with a single pose, how long it is held
-  int steps_per_pose = 4;        // time steps for each interpolation step
+  int steps_per_pose = 4;        // time steps for each interpolation step (not for each of the `poses`)
   int steps_without_body = 0;    // time steps of a run without a body
   int cycles = 1;                // times through the motion: to the last pose, back, to the last pose, ...
   int settle = 0;                // time steps more, after the motion

@@ -1,7 +1,8 @@
-// Types and helpers that the membrane's elements share (stretch.h, shear.h, isotropic.h).
+// Types and helpers that the elements share (stretch.h, shear.h, isotropic.h, bending.h, friction.h).
 //
 // An element's formulas are written once, as templates: Real = double computes one triangle, Real = Lanes computes
-// eight triangles side by side.
+// eight triangles side by side. Such a formula has no `if` on a value. An expression of Lanes is not yet Lanes: store
+// it as Real, never as auto, and write Real(...) around it where a function's parameter is a Real.
 #pragma once
 
 #include <Eigen/Core>
@@ -62,7 +63,8 @@ template <class Real>
   a.z += s * b.z;
 }
 
-/// A spring with energy k/2 (C - c)^2 per rest area, where C is a condition such as a length (stretch.h, shear.h).
+/// A spring with energy k/2 (C - c)^2 per rest area. The condition C(F) is a number that equals c at rest, such as the
+/// length of a thread (stretch.h, shear.h).
 struct Spring {
   double k;  // stiffness, N/m
   double c;  // value of the condition at rest, dimensionless

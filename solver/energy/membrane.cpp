@@ -1,5 +1,7 @@
 #include "solver/energy/membrane.h"
 
+#include <cmath>
+
 #include "solver/base/parallel.h"
 
 namespace ease {
@@ -57,7 +59,7 @@ FrameHessian MembraneEnergy::hessian(const Mat32& F, int t, HessianKind kind) co
   const Material& material = cloth_.material();
   const Springs s = springs(t);
   FrameHessian h;
-  if (material.membrane == Membrane::isotropic) h = isotropicHessian(F, material.mu, material.lambda, kind);
+  if (material.membrane == Membrane::isotropic) h += isotropicHessian(F, material.mu, material.lambda, kind);
   if (s.shear.k > 0.0)
     h += material.shear_form == ShearForm::bw98 ? bw98ShearHessian(F, s.shear, kind)
                                                 : orthogonalShearHessian(F, s.shear, kind);
@@ -68,8 +70,18 @@ FrameHessian MembraneEnergy::hessian(const Mat32& F, int t, HessianKind kind) co
 
 Eigen::Vector2d MembraneEnergy::projectiveWeights() const {
   const Material& material = cloth_.material();
-  const double isotropic = material.membrane == Membrane::isotropic ? 2.0 * material.mu + material.lambda : 0.0;
+  const double isotropic = material.membrane == Membrane::isotropic ? 2.0 * (material.mu + material.lambda) : 0.0;
   return Eigen::Vector2d(stiffness_.warp, stiffness_.weft).array() + 2.0 * stiffness_.shear + isotropic;
+}
+
+Eigen::Vector2d MembraneEnergy::projectiveWeightsAt(const Mat32& F) const {
+  Eigen::Vector2d weights = projectiveWeights();
+  const auto soften = [](double stiffness, double softening, const Vec3& thread, double& weight) {
+    if (softening > 0.0 && thread.norm() < 1.0) weight -= stiffness - std::sqrt(stiffness * (stiffness - softening));
+  };
+  soften(stiffness_.warp, softening_.warp, F.col(0), weights[0]);
+  soften(stiffness_.weft, softening_.weft, F.col(1), weights[1]);
+  return weights;
 }
 
 }  // namespace ease

@@ -2,11 +2,11 @@
 //
 //   psi(F)   energy per rest area, N/m       F   deformation gradient, 3x2
 //
-// The energy is a sum of elements (stretch.h, shear.h, isotropic.h) that the material chooses. Only MembraneEnergy
-// knows which elements exist; code that uses it does not. A new element gets a file of its own and one line in each of
-// the functions add, hessian and projectiveWeights.
+// The energy is a sum of elements (stretch.h, shear.h, isotropic.h) that the material chooses. In the solver, only
+// MembraneEnergy knows which elements exist. A new element gets a file of its own and one line in each of the functions
+// add, hessian and projectiveWeights.
 //
-// The user multiplies psi of triangle t by the weight s_t a_t: stiffness scale times rest area (cloth.h).
+// IncrementalPotential multiplies psi of triangle t by the weight s_t a_t: stiffness scale times rest area (cloth.h).
 #pragma once
 
 #include <vector>
@@ -18,7 +18,8 @@
 
 namespace ease {
 
-/// Rest values c of the conditions (stretch.h, shear.h) in eight triangles, shifted by damping.
+/// Rest values c of the conditions (stretch.h, shear.h) in eight triangles, shifted by damping. Elements without
+/// damping do not use them.
 struct RestConditions {
   Lanes warp, weft, shear;
 };
@@ -50,10 +51,15 @@ class MembraneEnergy {
   /// Second derivative of psi with respect to F in triangle t, N/m.
   FrameHessian hessian(const Mat32& F, int t, HessianKind kind) const;
 
-  /// Weights along warp and weft, N/m, of the constant matrix that projective dynamics uses in place of the Hessian.
-  /// They are exact for elements whose energy is a squared distance to a set, and an upper bound near the rest shape
-  /// for the others.
+  /// Weights w_u, w_v along warp and weft, N/m, of the constant matrix that projective dynamics uses in place of the
+  /// Hessian H. At rest they bound it: w_u |df_u|^2 + w_v |df_v|^2 >= dFᵀ H dF for every dF. For elements whose energy
+  /// is a squared distance to a set they bound it everywhere. Weights that are too small make `pd` halve its
+  /// corrections; weights that are too large make every projective method slow.
   Eigen::Vector2d projectiveWeights() const;
+  /// Weights for a triangle with deformation gradient F, nearer to its Hessian and no upper bound: a thread that is
+  /// compressed at F counts with the geometric mean of the stiffness that it has and the one that it has once
+  /// stretched.
+  Eigen::Vector2d projectiveWeightsAt(const Mat32& F) const;
 
  private:
   /// Stiffness of the springs including damping, N/m. All triangles share it.

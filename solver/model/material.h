@@ -8,8 +8,8 @@ namespace ease {
 enum class Membrane { woven, isotropic };
 enum class ShearForm { orthogonal, bw98 };
 
-/// Membrane woven after Baraff and Witkin 1998, or isotropic; bending after Bergou 2006.  A stiffness of zero switches
-/// its term off.
+/// Membrane woven, threads as springs and shear between them, or isotropic (co-rotational); bending after Bergou 2006.
+/// A stiffness of zero switches its term off.
 struct Material {
   double density = 0.15;             // kg/m^2 of the first rest shape
   std::optional<double> total_mass;  // kg; instead of density
@@ -25,6 +25,8 @@ struct Material {
   double damping_stretch = 0.0;  // N s/m
   double damping_shear = 0.0;    // N s/m
   double damping_bending = 0.0;  // N m s
+
+  bool operator==(const Material&) const = default;
 };
 
 }  // namespace ease

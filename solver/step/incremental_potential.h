@@ -1,7 +1,8 @@
 // Incremental potential of one backward Euler step. The positions that minimise it are the cloth's next positions.
 //
-//   E(x) = 1/(2h^2) |x - y|^2_M + sum_t a_t psi(F_t) + 1/2 xᵀ Q x + sum_samples [a_s psi_c(depth) + D(u_s)] + damping,
-//   J y    = x_n + h v_n + h^2 g
+//   E(x) = 1/(2h^2) |x - y|^2_M + sum_t a_t psi(F_t) + 1/2 xᵀ Q x            J
+//          + sum_samples [a_s psi_c(depth) + D(u_s)] + damping
+//   y    = x_n + h v_n + h^2 g
 //
 //   x_n, v_n  positions, m, and velocities, m/s, at the start of the step
 //   h         time step, s
@@ -76,6 +77,10 @@ class IncrementalPotential {
 
   /// Weights of projective dynamics for the membrane, along warp and weft, N/m (membrane.h).
   Eigen::Vector2d projectiveWeights() const { return membrane_.projectiveWeights(); }
+  /// Weights of triangle t at x, nearer to its Hessian and no upper bound (membrane.h).
+  Eigen::Vector2d projectiveWeightsAt(const Positions& x, int t) const {
+    return membrane_.projectiveWeightsAt(cloth_.deformation(x, t));
+  }
 
   /// Lumped contact stiffness per vertex at x, N/m: row sums of the contact Hessian, as if contact were equally stiff
   /// in all directions, and of the bound of friction's Hessian without slip (energy/friction.h), where it is largest.

@@ -25,7 +25,7 @@ void MethodChoice::recordCost(double pd_lbfgs, double newton, double once) {
     steps_ = 0;
     if (cost < mean_) {
       newton_ = !newton_;
-      other_ = std::exchange(mean_, cost);
+      pd_lbfgs_mean_ = std::exchange(mean_, cost);
       once_ = 0.0;
       until_pd_lbfgs_ = kFirstWait;
     } else if (newton_) {
@@ -37,9 +37,9 @@ void MethodChoice::recordCost(double pd_lbfgs, double newton, double once) {
   }
   mean_ += (mean_ == 0.0 ? 1.0 : kWeight) * (cost - mean_);
   once_ += kOnceWeight * (once - once_);
-  if (newton_ && mean_ + once_ > other_) {
+  if (newton_ && mean_ + once_ > pd_lbfgs_mean_) {
     newton_ = false;
-    mean_ = other_;
+    mean_ = pd_lbfgs_mean_;
     steps_ = 0;
     until_newton_ = std::clamp(kWaitFactor * until_newton_, kMinWaitForNewton, kMaxWait);
   }

@@ -28,6 +28,7 @@ struct StopRule {
   double acceleration = 0.0;        // m/s^2: largest |dE/dx_i| / m_i of a vertex that is not pinned
   int patience = 0;                 // stop if the rate predicts more iterations than this; 0: never
   bool run_all_iterations = false;  // do not stop early; `converged` still says whether the tolerance was met
+  int max_cg_iterations = 0;        // Newton stops after this many iterations of conjugate gradients in all; 0: never
 };
 
 /// Counts of the work in one minimisation.
@@ -51,7 +52,7 @@ struct Point {
 /// Largest |dE/dx_i| / m_i over all vertices, m/s^2; zero gradient counts for pinned vertices.
 double residualAcceleration(const IncrementalPotential& potential, const Point& point);
 
-/// Decrement sqrt(-slope) divided by the error's denominator over h (see above); slope = gradient . direction, J.
+/// Decrement sqrt(-slope) times h, divided by the error's denominator (see above); slope = gradient . direction, J.
 double relativeDecrement(const IncrementalPotential& potential, const Point& point, double slope);
 
 /// |direction|_M divided by the error's denominator (see above).

@@ -1,6 +1,7 @@
 #include "solver/step/newton.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "solver/base/error.h"
 #include "solver/linear/dot.h"
@@ -22,11 +23,11 @@ Newton::Newton(const Cloth& cloth, std::span<const int> ordering)
     : hessian_(cloth.vertexCount(), cloth.topology().edges), system_(hessian_, ordering) {}
 
 bool Newton::solveForDirection(IncrementalPotential& potential, HessianKind kind, const Point& point,
-                               MinimiserSummary& summary) {
+                               int max_cg_iterations, MinimiserSummary& summary) {
   potential.hessian(point.x, kind, hessian_);
   const SolveSummary solve = system_.solve(
       hessian_, [&](const Positions& d, Positions& product) { potential.addBendingProduct(d, product); }, fixed_,
-      -point.gradient, kLinearTolerance, direction_);
+      -point.gradient, kLinearTolerance, direction_, max_cg_iterations);
   summary.cg_iterations += solve.iterations;
   summary.factorisations += solve.factorisations;
   return solve.ok;
@@ -37,6 +38,7 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
   MinimiserSummary summary;
   if (fixed != fixed_) system_.forgetFactor();
   fixed_ = fixed;
+  const int max_cg_iterations = stop.max_cg_iterations > 0 ? stop.max_cg_iterations : std::numeric_limits<int>::max();
   int exact_from = kProjectedSteps;
   double previous = 0.0;  // relative length of the last correction
   while (summary.iterations < stop.max_iterations) {
@@ -44,12 +46,13 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
       summary.converged = true;
       break;
     }
+    const int cg_left = max_cg_iterations - summary.cg_iterations;
     bool ok = false;
     if (summary.iterations >= exact_from) {
-      ok = solveForDirection(potential, HessianKind::exact, point, summary);
+      ok = solveForDirection(potential, HessianKind::exact, point, cg_left, summary);
       if (!ok) exact_from = summary.iterations + kProjectedSteps;
     }
-    if (!ok) ok = solveForDirection(potential, HessianKind::projected, point, summary);
+    if (!ok) ok = solveForDirection(potential, HessianKind::projected, point, cg_left, summary);
     ++summary.iterations;
     if (!ok) throw ComputationError("the linear system of the step is not positive definite");
     setMeanMotion(potential, fixed, point, direction_);
@@ -63,6 +66,7 @@ MinimiserSummary Newton::minimise(IncrementalPotential& potential, const std::ve
     }
     summary.halvings += halvings;
     std::swap(point, next_);
+    if (summary.cg_iterations >= max_cg_iterations) break;
     // Predict the length of the next correction.
     double next = length;
     if (halvings == 0 && previous > 0.0) next *= std::clamp(length / previous, kMinTrustedRatio, 1.0);

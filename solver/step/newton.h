@@ -28,8 +28,9 @@ class Newton {
   void forget() { system_.forgetFactor(); }
 
  private:
-  /// Solves for direction_ with the Hessian of this kind; returns whether it could be solved.
-  bool solveForDirection(IncrementalPotential& potential, HessianKind kind, const Point& point,
+  /// Solves for direction_ with the Hessian of this kind, in at most `max_cg_iterations`; returns whether it could be
+  /// solved.
+  bool solveForDirection(IncrementalPotential& potential, HessianKind kind, const Point& point, int max_cg_iterations,
                          MinimiserSummary& summary);
 
   BlockMatrix hessian_;

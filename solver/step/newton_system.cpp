@@ -51,7 +51,8 @@ void NewtonSystem::precondition() {
 
 SolveSummary NewtonSystem::solve(const BlockMatrix& matrix,
                                  const std::function<void(const Positions&, Positions&)>& add_product,
-                                 std::span<const char> fixed, const Positions& right, double tolerance, Positions& d) {
+                                 std::span<const char> fixed, const Positions& right, double tolerance, Positions& d,
+                                 int max_iterations) {
   SolveSummary summary;
   const auto renew = [&] {
     ++summary.factorisations;
@@ -73,7 +74,7 @@ SolveSummary NewtonSystem::solve(const BlockMatrix& matrix,
   p_ = z_;
   double rz = dot(r_, z_);
   const double goal = tolerance * tolerance * rz;
-  for (int since_factor = 0; rz > goal; ++summary.iterations, ++since_factor) {
+  for (int since_factor = 0; rz > goal && summary.iterations < max_iterations; ++summary.iterations, ++since_factor) {
     if (since_factor == kMaxIterations) {
       if (summary.factorisations > 0) break;  // round-off allows no better solution
       if (!renew()) return {summary.iterations, summary.factorisations, false};
@@ -99,7 +100,8 @@ SolveSummary NewtonSystem::solve(const BlockMatrix& matrix,
   }
   summary.ok = std::isfinite(rz);
   ++solves_;
-  last_iterations_ = summary.iterations;
+  last_iterations_ =
+      rz > goal ? kMaxIterations : summary.iterations;  // an unfinished solve says that the factor is old
   cost_ += summary.iterations;
   return summary;
 }

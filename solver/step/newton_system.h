@@ -9,6 +9,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <span>
 
 #include "solver/linear/block_matrix.h"
@@ -31,9 +32,11 @@ class NewtonSystem {
 
   /// Solves H d = `right`, where H = `matrix` plus a part that has only a product: `add_product(d, product)` adds that
   /// part's product with d. Rows of `fixed` vertices stay zero. Stops when the residual, in the norm of the
-  /// preconditioner, has fallen to `tolerance` times its first value.
+  /// preconditioner, has fallen to `tolerance` times its first value, or after `max_iterations`; then, too, d lowers
+  /// 1/2 d·H d - `right`·d.
   SolveSummary solve(const BlockMatrix& matrix, const std::function<void(const Positions&, Positions&)>& add_product,
-                     std::span<const char> fixed, const Positions& right, double tolerance, Positions& d);
+                     std::span<const char> fixed, const Positions& right, double tolerance, Positions& d,
+                     int max_iterations = std::numeric_limits<int>::max());
 
   /// Whether the last solve took few iterations, so that precondition() is close to multiplication by H^-1.
   bool factorIsNear() const;

@@ -10,10 +10,11 @@ namespace ease {
 
 namespace {
 
-// A is factored again when the contact stiffness has changed by more than this share.
-constexpr double kMaxDrift = 0.5;
-// pd-lbfgs adds this share of the contact stiffness to A; 0, 0.1 and 1 need 2.7, 1.5 and 1.1 times the iterations.
-constexpr double kContactShare = 0.3;
+// A is factored again when the contact stiffness has changed by more than this share. With 0.5 pd-lbfgs takes up to 1.3
+// times the iterations (docs/numerics.md).
+constexpr double kMaxDrift = 0.2;
+// pd-lbfgs adds this share of the contact stiffness to A.
+constexpr double kContactShare = 0.5;
 // error ~ decrement x clamp(0.1 / rate, 2, 60), with the rate in e-folds per iteration. Fitted to a shirt in motion and
 // shaken sheets: with a tolerance of 0.05 the true error has a median of 0.02 to 0.04, and nine in ten are below 0.061.
 constexpr double kMinErrorFactor = 2.0, kErrorFactorTimesRate = 0.1;
@@ -81,8 +82,10 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
     if (!accelerated) diagonal_[i] += potential.bendingBound(i);
   }
   scaled_inverse_.resize(cloth.triangleCount());
-  for (int t = 0; t < cloth.triangleCount(); ++t)
-    scaled_inverse_[t] = cloth.restInverse()[t] * weights.cwiseSqrt().asDiagonal();
+  for (int t = 0; t < cloth.triangleCount(); ++t) {
+    const Eigen::Vector2d here = accelerated ? potential.projectiveWeightsAt(x, t) : weights;
+    scaled_inverse_[t] = cloth.restInverse()[t] * here.cwiseSqrt().asDiagonal();
+  }
   if (!system_.factor(scaled_inverse_, cloth.membraneWeights(), diagonal_, fixed))
     throw ComputationError("the projective system is not positive definite");
   return true;

@@ -3,6 +3,7 @@
 //
 //   local    p_t = the point nearest to F_t in the set where the element's energy is zero, in closed form
 //   global   A x = M y / h^2 + sum_t a_t B_t W p_tᵀ,    A = M/h^2 + sum_t a_t B_t W B_tᵀ
+//            A's diagonal also has contact's stiffness and, for `pd`, a bound of bending
 //
 //   F_t    deformation gradient of triangle t, xᵀ B_t         M, y, h, a_t   as in incremental_potential.h
 //   W      diagonal matrix of the weights along warp and weft, N/m (MembraneEnergy::projectiveWeights)
@@ -10,11 +11,12 @@
 // An element with energy k/2 |F - p|^2 has the stress k (F - p), so one iteration is the correction x - A^-1 dE/dx. It
 // is computed in this form, because every energy has a gradient, even if it has no part in A. For energies that are
 // squared distances to a set, A is an upper bound of the Hessian and each iteration lowers E. `pd` takes the correction
-// as it is; `pd-lbfgs` improves it with the secant pairs of the last iterations.
+// as it is, halved only where E would rise; `pd-lbfgs` first improves it with the secant pairs of the last iterations.
 //
 // A is factored again when the rest shape, the time step, damping or the pins change, and when the contact stiffness
-// has drifted away from the stiffness on A's diagonal. `pd` diverges without an upper bound of the contact stiffness,
-// so A counts every sample as pressed. `pd-lbfgs` converges with 0.3 of the present stiffness. Friction counts as
+// has drifted away from the stiffness on A's diagonal. `pd` needs an upper bound of the contact stiffness, so A counts
+// every sample as pressed. `pd-lbfgs` takes half of the present stiffness, and softer threads where they are compressed
+// when A is factored (MembraneEnergy::projectiveWeightsAt): the secant pairs learn the rest. Friction counts as
 // contact stiffness, as stiff as it is without slip: with the stiffness at the present slip, pd-lbfgs halves nearly
 // every correction where cloth begins to stick, and takes 1.6 times as many iterations on scenes/t-shirt.toml.
 //

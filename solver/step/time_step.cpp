@@ -81,11 +81,15 @@ void TimeStep::minimise(StepSummary& summary) {
     case Method::automatic:
       break;
   }
-  if (!choice_.newtonFirst()) {
-    projective({kMaxProjectiveIterations, options_.tolerance, 0.0, choice_.patience()}, true, summary);
-    if (summary.converged()) return;
-    summary.handed_over = 1;
+  if (choice_.newtonFirst()) {
+    const int patience = choice_.newtonPatience();
+    newton({kMaxNewtonIterations, options_.tolerance, 0.0, 0, false, static_cast<int>(std::ceil(patience / kCgCost))},
+           summary);
+    if (summary.converged() || patience == 0) return;
   }
+  projective({kMaxProjectiveIterations, options_.tolerance, 0.0, choice_.patience()}, true, summary);
+  if (summary.converged()) return;
+  summary.handed_over = 1;
   newton({kMaxNewtonIterations, options_.tolerance}, summary);
 }
 

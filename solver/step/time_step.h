@@ -4,9 +4,8 @@
 //   newton     Newton iterations down to a given residual
 //   pd         a fixed number of local/global iterations of projective dynamics
 //   pd-lbfgs   L-BFGS with the system of `pd` as initial inverse Hessian, down to a given relative error
-//   auto       pd-lbfgs or Newton down to a given relative error, whichever costs less (method_choice.h); pd-lbfgs
-//   hands
-//              over to Newton if its error falls too slowly
+//   auto       pd-lbfgs or Newton down to a given relative error, whichever costs less (method_choice.h); the one hands
+//              over to the other within the step where that seems to be cheaper
 //
 // All methods minimise the same incremental potential and start at x_n + h v_n. Contacts are found there; they are
 // found again, and the minimisation repeated, if the cloth has moved far from the positions at which they were found.

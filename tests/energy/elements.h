@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ Deformation<Real> deformationOf(const Mat32& F) {
 
 struct Element {
   std::string name;
+  bool rests = true;  // without stress where warp and weft are orthogonal and as long as at rest
   std::function<double(const Deformation<double>&, Deformation<double>&)> add;
   std::function<Lanes(const Deformation<Lanes>&, Deformation<Lanes>&)> addLanes;
   std::function<FrameHessian(const Mat32&, HessianKind)> hessian;
@@ -54,8 +56,8 @@ inline std::vector<Element> elements() {
   const Spring damped_stretch = damped({800.0, 1.0}, 300.0, 1.2), shear{200.0, 0.0};
   const Spring damped_shear = damped(shear, 100.0, 0.9);
   std::vector<Element> all;
-  const auto addStretches = [&all](const Spring& stretch, double softening = 0.0) {
-    all.push_back({"stretch",
+  const auto addStretches = [&all](const std::string& name, const Spring& stretch, double softening = 0.0) {
+    all.push_back({name, stretch.c == 1.0,
                    [=](const auto& F, auto& P) { return addStretch(F.u, stretch.k, stretch.c, P.u, softening); },
                    [=](const auto& F, auto& P) {
                      return addStretch(F.u, stretch.k, Lanes(Lanes::Constant(stretch.c)), P.u, softening);
@@ -66,24 +68,34 @@ inline std::vector<Element> elements() {
                      return h;
                    }});
   };
-  addStretches({800.0, 1.0});
+  addStretches("stretch", {800.0, 1.0});
   for (const Spring& spring : {shear, damped_shear}) {
+    const std::string damping = spring.c == 0.0 ? "" : "damped ";
     all.push_back(
-        {"orthogonal shear", [=](const auto& F, auto& P) { return addOrthogonalShear(F, spring.k, spring.c, P); },
+        {damping + "orthogonal shear", spring.c == 0.0,
+         [=](const auto& F, auto& P) { return addOrthogonalShear(F, spring.k, spring.c, P); },
          [=](const auto& F, auto& P) { return addOrthogonalShear(F, spring.k, Lanes(Lanes::Constant(spring.c)), P); },
          [=](const Mat32& F, HessianKind kind) { return orthogonalShearHessian(F, spring, kind); }});
     all.push_back(
-        {"bw98 shear", [=](const auto& F, auto& P) { return addBw98Shear(F, spring.k, spring.c, P); },
+        {damping + "bw98 shear", spring.c == 0.0,
+         [=](const auto& F, auto& P) { return addBw98Shear(F, spring.k, spring.c, P); },
          [=](const auto& F, auto& P) { return addBw98Shear(F, spring.k, Lanes(Lanes::Constant(spring.c)), P); },
          [=](const Mat32& F, HessianKind kind) { return bw98ShearHessian(F, spring, kind); }});
   }
-  addStretches(damped_stretch);
-  addStretches(damped_stretch, 700.0);
+  addStretches("damped stretch", damped_stretch);
+  addStretches("damped soft stretch", damped_stretch, 700.0);
   for (const double lambda : {0.0, 300.0})
-    all.push_back({"isotropic", [=](const auto& F, auto& P) { return addIsotropic(F, 400.0, lambda, P); },
+    all.push_back({lambda > 0.0 ? "isotropic" : "isotropic, lambda 0", true,
+                   [=](const auto& F, auto& P) { return addIsotropic(F, 400.0, lambda, P); },
                    [=](const auto& F, auto& P) { return addIsotropic(F, 400.0, lambda, P); },
                    [=](const Mat32& F, HessianKind kind) { return isotropicHessian(F, 400.0, lambda, kind); }});
   return all;
+}
+
+inline Element elementNamed(const std::string& name) {
+  for (const Element& element : elements())
+    if (element.name == name) return element;
+  throw std::out_of_range(name);
 }
 
 }  // namespace ease

@@ -46,6 +46,17 @@ TEST_CASE("the cheaper method is found within a few steps, and trials of the oth
   }
 }
 
+TEST_CASE("a trial of Newton may cost what pd-lbfgs has cost, once Newton is in use, any number") {
+  MethodChoice choice;
+  CHECK(choice.newtonPatience() == 0);
+  for (int n = 0; n < 100 && !choice.newtonFirst(); ++n) choice.recordCost(40.0, 0.0, 0.0);
+  REQUIRE(choice.newtonFirst());
+  CHECK(choice.newtonPatience() == 40);
+  choice.recordCost(0.0, 10.0, 0.0);
+  REQUIRE(choice.newtonFirst());
+  CHECK(choice.newtonPatience() == 0);
+}
+
 TEST_CASE("a method that ceases to be the cheaper one is given up") {
   MethodChoice choice;
   walk(choice, 100, 40.0, 10.0);

@@ -41,6 +41,23 @@ const auto kNothingMore = [](const Positions&, Positions&) {};
 
 }  // namespace
 
+TEST_CASE("a solve that may not end lowers its quadratic form, and the factor is renewed for the next one") {
+  const TriangleMesh sheet = makeSheet(15, 15, 1.0, 1.0);
+  const BlockMatrix matrix = springs(sheet, 0.0);
+  const std::vector<char> fixed(matrix.rows(), 0);
+  NewtonSystem system(matrix, orderingOf(sheet));
+  const auto more = [](const Positions& d, Positions& product) { product += 1e3 * d; };  // unknown to the factor
+  const Positions right = randomPositions(matrix.rows(), 4);
+  Positions d, product(matrix.rows(), 3);
+  const SolveSummary summary = system.solve(matrix, more, fixed, right, 1e-10, d, 1);
+  CHECK(summary.ok);
+  CHECK(summary.iterations == 1);
+  matrix.multiply(d, product);
+  more(d, product);
+  CHECK(0.5 * d.cwiseProduct(product).sum() < d.cwiseProduct(right).sum());
+  CHECK(system.solve(matrix, more, fixed, right, 1e-10, d).factorisations == 1);
+}
+
 TEST_CASE("a fresh factor, rounded to single precision, solves in two iterations, an old one in a few more") {
   const TriangleMesh sheet = makeSheet(15, 15, 1.0, 1.0);
   const BlockMatrix first = springs(sheet, 0.0), second = springs(sheet, 0.3);

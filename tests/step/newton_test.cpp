@@ -52,6 +52,16 @@ TEST_CASE("by the exact Hessian every Newton iteration leaves a tenth of the res
   CHECK(left.back() < 1e-5);
 }
 
+TEST_CASE("Newton ends after the iterations of conjugate gradients that it may take, below where it began") {
+  Step s;
+  const double before = s.point.energy;
+  const StopRule stop{.max_iterations = 100, .error = 1e-9, .max_cg_iterations = 2};
+  const MinimiserSummary summary = Newton(s.cloth, s.ordering).minimise(s.potential, s.fixed, stop, s.point);
+  CHECK(summary.cg_iterations == 2);
+  CHECK_FALSE(summary.converged);
+  CHECK(s.point.energy < before);
+}
+
 TEST_CASE("one Newton iteration is one linear system and lowers the potential") {
   Step s;
   Newton newton(s.cloth, s.ordering);

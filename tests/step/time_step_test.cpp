@@ -173,6 +173,24 @@ TEST_CASE("all methods run to tolerance find the same minimum, after one step an
   }
 }
 
+TEST_CASE("auto finishes a trial of Newton that costs too much with pd-lbfgs") {
+  const TriangleMesh mesh = makeSheet(16, 16, 0.3, 0.3);
+  Material material = softCloth();
+  material.bending = 1e-2;  // the factor of Newton's matrix leaves bending out
+  const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), material);
+  TimeStep step = makeStep(cloth, {Method::automatic, 1e-3});
+  State state = atRest(mesh);
+  state.positions += 1e-3 * randomPositions(cloth.vertexCount(), 4);
+  const Pins pins{{0, 16}, {state.positions.row(0), state.positions.row(16)}};
+  int finished = 0;
+  for (int i = 0; i < 10; ++i) {
+    const StepSummary summary = step.step(state, {}, pins, kNoContacts);
+    CHECK(summary.converged());
+    if (summary.newton_iterations > 0 && summary.projective_iterations > 0 && summary.handed_over == 0) ++finished;
+  }
+  CHECK(finished == 1);
+}
+
 TEST_CASE("auto hands over to Newton where the projective method is slow, and not where it is fast") {
   const TriangleMesh mesh = makeSheet(16, 16, 0.3, 0.3);
   for (const bool hard : {false, true}) {
