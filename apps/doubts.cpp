@@ -66,6 +66,15 @@ std::vector<std::string> lostParts(const PassRecord& pass, const DoubtContext& c
   return absences(pass, context, [](const PartPresence& part) { return part.area_share < kLargePart; });
 }
 
+std::string missedTolerance(const PassRecord& pass, double tolerance) {
+  const long solves = static_cast<long>(pass.steps) * pass.substeps.time, missed = pass.solver.short_of_tolerance;
+  if (2 * missed <= solves) return "";
+  return fmt::format(
+      "{} of {} time steps ended further from their solution than the tolerance of {}: more iterations, "
+      "shorter steps or [solver] method = 'auto' come nearer",
+      missed, solves, tolerance);
+}
+
 std::vector<std::string> unheldParts(const Scene& scene, const SceneInput& input) {
   if (scene.body || scene.solver.gravity.isZero()) return {};
   std::vector<double> areas(input.garment.triangles.rows());
@@ -103,6 +112,8 @@ void doubt(const Scene& scene, const SceneInput& given, const Numbering& numberi
   for (const std::string& line : report.doubts)
     report.warnings.push_back(line + ": the figures of the stretch say nothing");
   for (const std::string& lost : lostParts(last, context)) report.warnings.push_back(lost);
+  if (const std::string line = missedTolerance(last, scene.solver.tolerance); !line.empty())
+    report.warnings.push_back(line);
 }
 
 }  // namespace ease

@@ -24,6 +24,10 @@ std::vector<std::string> doubtsOf(const PassRecord& pass, const DoubtContext& co
 /// The small parts that left the body, a line each.
 std::vector<std::string> lostParts(const PassRecord& pass, const DoubtContext& context);
 
+/// Says that most time steps of the pass ended further from their solution than `tolerance`, the relative error that
+/// [solver] asks for; empty if not.
+std::string missedTolerance(const PassRecord& pass, double tolerance);
+
 /// Doubts about a scene without a body: connected parts of the garment that no pin holds, in the file's numbering.
 std::vector<std::string> unheldParts(const Scene& scene, const SceneInput& input);
 

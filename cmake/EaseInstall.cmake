@@ -20,10 +20,15 @@ foreach(component IN LISTS EASE_COMPONENTS)
   endif()
 endforeach()
 
+set(ease_folders_left_out "")
+if(NOT io IN_LIST EASE_COMPONENTS)
+  set(ease_folders_left_out solver/io)
+endif()
 install(CODE "
   set(EASE_SOURCE_DIR \"${PROJECT_SOURCE_DIR}\")
   set(EASE_STAGING_DIR \"${PROJECT_BINARY_DIR}/installed_headers\")
   set(EASE_FOLDERS ${ease_folders})
+  set(EASE_FOLDERS_LEFT_OUT ${ease_folders_left_out})
   set(EASE_DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/ease\")
   include(\"${PROJECT_SOURCE_DIR}/cmake/install_headers.cmake\")" COMPONENT library)
 

@@ -27,7 +27,7 @@ TEST_CASE("a garment on the body is in no doubt, one that left it or was never o
   CHECK_THAT(never[0], Contains("was never on the body: 0.4 m away at its nearest"));
 }
 
-TEST_CASE("a part that falls off is named in the file's numbering; a button is lost without doubt about the rest") {
+TEST_CASE("a part that falls off is named in the file's numbering, a button is lost without doubt about the rest") {
   const PassRecord pass =
       ofParts({{0, 300, 0.7, 0.0, 0.0, {}, 0.0}, {1, 100, 0.28, 0.0, 2.0, 0.3, 0.0}, {2, 8, 0.02, 0.0, 3.0, 0.1, 0.0}});
   const auto doubts = doubtsOf(pass, kContext), lost = lostParts(pass, kContext);
@@ -42,6 +42,16 @@ TEST_CASE("a garment that slid down the body, or that is thrown, is in doubt") {
   PassRecord thrown = ofParts({{0, 3, 1.0, 0.0, 0.0, {}, 0.0}});
   thrown.fastest = {40.0, 0.2, 1};
   CHECK_THAT(doubtsOf(thrown, kContext).at(0), Contains("vertex 8 of the garment was thrown: 40 m/s at 0.2 s"));
+}
+
+TEST_CASE("a run of which most time steps missed the tolerance says so") {
+  PassRecord pass;
+  pass.steps = 10;
+  pass.substeps.time = 2;
+  pass.solver.short_of_tolerance = 10;
+  CHECK(missedTolerance(pass, 0.05).empty());
+  pass.solver.short_of_tolerance = 11;
+  CHECK_THAT(missedTolerance(pass, 0.05), Contains("11 of 20 time steps") && Contains("0.05"));
 }
 
 TEST_CASE("without a body, a part of the garment that no pin holds is told, unless nothing pulls at it") {
