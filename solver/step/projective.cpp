@@ -10,9 +10,11 @@ namespace ease {
 
 namespace {
 
-// A is factored again when the contact stiffness has changed by more than this share. With 0.5 pd-lbfgs takes up to 1.3
-// times the iterations (docs/numerics.md).
-constexpr double kMaxDrift = 0.2;
+// A is factored again when the contact stiffness has changed by more than this share, and for pd-lbfgs already from
+// kMinDrift on if the last solve took more iterations than the mean cost of a solve since A was factored, with that
+// factor included (docs/numerics.md).
+constexpr double kMaxDrift = 0.5, kMinDrift = 0.2;
+constexpr double kFactorCost = 10.0;  // a factor takes about as long as this many iterations
 // pd-lbfgs adds this share of the contact stiffness to A.
 constexpr double kContactShare = 0.5;
 // error ~ decrement x clamp(0.1 / rate, 2, 60), with the rate in e-folds per iteration. Fitted to a shirt in motion and
@@ -65,11 +67,13 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
       drift += std::abs(contact_now_[i] - contact_[i]);
       all += std::max(contact_now_[i], contact_[i]);
     }
-    same = drift <= kMaxDrift * all;
+    const bool pays = accelerated && solves_ > 0 && last_iterations_ > (kFactorCost + iterations_) / solves_;
+    same = drift <= (pays ? kMinDrift : kMaxDrift) * all;
   }
   if (same) return false;
 
   if (fixed_ != fixed) pairs_.clear();  // the stored pairs move vertices that are now pinned
+  solves_ = iterations_ = last_iterations_ = 0;
   rest_revision_ = cloth.restRevision();
   h_ = h;
   weights_ = weights;
@@ -133,6 +137,9 @@ MinimiserSummary Projective::minimise(IncrementalPotential& potential, const std
     if (accelerated) pairs_.remember(point.x, point.gradient, next_.x, next_.gradient);
     std::swap(point, next_);
   }
+  ++solves_;
+  iterations_ += summary.iterations;
+  last_iterations_ = summary.iterations;
   return summary;
 }
 
