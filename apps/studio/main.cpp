@@ -5,6 +5,7 @@
 #include <cstring>
 #include <exception>
 
+#include "apps/studio/keep_on_screen.h"
 #include "apps/studio/main_window.h"
 
 int main(int argc, char** argv) {
@@ -28,7 +29,7 @@ int main(int argc, char** argv) {
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->show();
     QTimer::singleShot(100, window, [window] {  // once the frame around it is known
-      window->keepOnScreen();
+      ease::keepOnScreen(*window);
       window->offerUnsavedWork();
     });
   } catch (const std::exception& error) {

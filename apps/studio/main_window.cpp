@@ -4,7 +4,6 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QMessageBox>
-#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <algorithm>
@@ -281,13 +280,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (asks_ && !(mayDropWork() && mayEndRun())) return event->ignore();
   if (asks_) studio_->document().discardUnsaved();
   event->accept();
-}
-
-void MainWindow::keepOnScreen() {
-  const QRect room = screen()->availableGeometry();
-  const QSize frame = frameGeometry().size() - size();
-  resize(size().boundedTo(room.size() - frame));
-  if (frameGeometry().bottom() > room.bottom() || frameGeometry().right() > room.right()) move(room.topLeft());
 }
 
 }  // namespace ease

@@ -42,8 +42,6 @@ class MainWindow : public QMainWindow {
   bool openNew();
   /// Asks whether unsaved work that a crash left is kept, if there is any.
   void offerUnsavedWork();
-  /// Keeps the window and its frame on the screen, so that the status line can be read.
-  void keepOnScreen();
   /// Does what `ease run` does with the saved scene.
   RunDialog* run();
   /// Does what `ease pattern` does with it, runs it first where that has not been done, and shows the pieces.

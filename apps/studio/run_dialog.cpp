@@ -16,6 +16,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "apps/studio/keep_on_screen.h"
+
 namespace ease {
 
 namespace {
@@ -176,17 +178,8 @@ void RunDialog::showResult() {
   if (!stretch.isNull())
     picture_->setPixmap(stretch.scaled(room * devicePixelRatioF(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
   page_->setVisible(QFileInfo::exists(directory_ + "/fit.html"));
-  keepOnScreen();
-}
-
-void RunDialog::keepOnScreen() {
   adjustSize();
-  const QRect room = screen()->availableGeometry();
-  const QSize frame = frameGeometry().size() - size();
-  resize(size().boundedTo(room.size() - frame));
-  const QPoint furthest = room.bottomRight() - QPoint(width() + frame.width(), height() + frame.height());
-  move(std::clamp(x(), room.left(), std::max(room.left(), furthest.x())),
-       std::clamp(y(), room.top(), std::max(room.top(), furthest.y())));
+  keepOnScreen(*this);
 }
 
 }  // namespace ease

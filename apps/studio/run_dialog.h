@@ -38,7 +38,6 @@ class RunDialog : public QDialog {
   void finish(int code);
   void showResult();
   QString wordsOfResult() const;
-  void keepOnScreen();
 
   QStringList commands_;  // still to be done; the first is running
   QString scene_, directory_, said_;

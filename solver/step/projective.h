@@ -14,12 +14,12 @@
 // as it is, halved only where E would rise; `pd-lbfgs` first improves it with the secant pairs of the last iterations.
 //
 // A is factored again when the rest shape, the time step, damping or the pins change, and when the contact stiffness
-// has drifted away from the stiffness on A's diagonal, sooner where iterations have become more. `pd` needs an upper
-// bound of the contact stiffness, so A counts every sample as pressed. `pd-lbfgs` takes half of the present stiffness,
-// and softer threads where they are compressed when A is factored (MembraneEnergy::projectiveWeightsAt): the secant
-// pairs learn the rest. Friction counts as contact stiffness, as stiff as it is without slip: with the stiffness at the
-// present slip, pd-lbfgs halves nearly every correction where cloth begins to stick, and takes 1.6 times as many
-// iterations on scenes/t-shirt.toml.
+// has drifted away from the stiffness on A's diagonal: by half, or by a fifth where iterations have become more. `pd`
+// needs an upper bound of the contact stiffness, so A counts every sample as pressed. `pd-lbfgs` takes half of the
+// present stiffness, and softer threads where they are compressed when A is factored
+// (MembraneEnergy::projectiveWeightsAt): the secant pairs learn the rest. Friction counts as contact stiffness, as
+// stiff as it is without slip: with the stiffness at the present slip, pd-lbfgs halves nearly every correction where
+// cloth begins to stick, and takes 1.6 times as many iterations on scenes/t-shirt.toml.
 //
 // Tried and dropped: L-BFGS with a factor of Newton's matrix in place of A. On a scanned shirt of 4,271 vertices it
 // takes 2 to 5 iterations instead of 11 if the matrix is factored in the same step, but that costs more than it saves.

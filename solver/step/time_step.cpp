@@ -83,7 +83,9 @@ void TimeStep::minimise(StepSummary& summary) {
   }
   if (choice_.newtonFirst()) {
     const int patience = choice_.newtonPatience();
-    newton({kMaxNewtonIterations, options_.tolerance, 0.0, 0, false, static_cast<int>(std::ceil(patience / kCgCost))},
+    newton({.max_iterations = kMaxNewtonIterations,
+            .error = options_.tolerance,
+            .max_cg_iterations = static_cast<int>(std::ceil(patience / kCgCost))},
            summary);
     if (summary.converged() || patience == 0) return;
   }

@@ -2,6 +2,7 @@
 #include <QProcess>
 #include <QtTest>
 
+#include "apps/studio/keep_on_screen.h"
 #include "solver/io/mesh_io.h"
 #include "tests/studio/main_window_test.h"
 
@@ -32,6 +33,8 @@ void WindowTest::aRunCanBeCancelled() {
   QTRY_VERIFY_WITH_TIMEOUT(!dialog->isRunning(), 60000);
   QVERIFY(QFile::exists(directory_.path() + "/results/dress/report.json"));
   QVERIFY2(dialog->text().startsWith("It was ended"), qPrintable(dialog->text()));
+  keepOnScreen(*dialog);
+  QVERIFY(dialog->screen()->availableGeometry().contains(dialog->frameGeometry()));
   dialog->close();
 }
 
