@@ -26,9 +26,9 @@ class BodyContacts {
   BodyContacts(MovingBody& body, const Cloth& cloth, std::span<const double> offsets, const Schedule& schedule,
                const Substeps& substeps, double max_recovery);
 
-  /// How far the body is at the end of part `part` (1 to substeps.time) of this moment's time step.
+  /// Place s of the body at the end of part `part` (1 to substeps.time) of this moment's time step; 0: at its start.
   double bodyAt(const Moment& moment, int part) const;
-  /// How far the body is once these time steps are done.
+  /// Place s of the body once these time steps are done.
   double bodyAt(const StepsDone& done) const;
 
   /// Makes the level sets that the first part of the first time step after `done` needs, around the cloth at `x`.
@@ -46,8 +46,8 @@ class BodyContacts {
   /// As measure(), to first order and much faster, for cloth that moved little since find() at the same s.
   void measureSinceFind(const Positions& x);
   const std::vector<double>& distances() const { return distances_; }
-  /// Deepens `penetration` by the whole of those triangles of the cloth at `x` that are larger than what lies between
-  /// their samples. After measure() at the same s.
+  /// Raises penetration.triangles to the deepest point of every triangle with an edge longer than 2.5 cm, looked for in
+  /// steps of 5 mm, because the samples of such a triangle may miss a limb. Call measure() at the same s first.
   void deepenLargeTriangles(double s, const Positions& x, Penetration& penetration);
   /// Deepens `penetration` by what was measured last.
   void deepen(Penetration& penetration) const;

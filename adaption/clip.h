@@ -1,7 +1,7 @@
 // Clipping of principal stretches: how much each rest triangle must grow so that its cloth is comfortable.
 //
-//   F = U diag(sigma_i) Vᵀ, clipped to U diag(min(sigma_i, 1 + limit)) Vᵀ, asks for rest edges
-//   D' = G D,   G = V diag(max(1, sigma_i / (1 + limit))) Vᵀ     2x2, symmetric, >= 1
+//   F = U diag(sigma_i) Vᵀ asks for rest edges D' = G D,   G = V diag(clamp(sigma_i / goal, 1, 1.02)) Vᵀ
+//                          where sigma_1 is above a threshold; goal and threshold lie below 1 + limit
 //
 // after Wolff et al. 2022.  Compression is always allowed.
 //
@@ -12,7 +12,7 @@
 //   - a triangle grows by at most 2 % at a time, which leaves a share of the growth to the others;
 //   - growth is averaged over adjacent triangles, whose tensors are comparable since all use the material's frame.
 // Cloth that hangs by its own weight, or is pinned apart, stays stretched however much it grows: it may grow to
-// kMaxGrowth times its first length and no further.
+// kMaxGrowth (growth.h) times its first length and no further.
 //
 // Shirt of 3,032 vertices, T to A to arms up, 5 times: largest growth 1.8 where it was above 3.
 #pragma once

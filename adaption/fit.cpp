@@ -16,8 +16,8 @@ constexpr double kDisturbance = 1e-5;  // m: of the start of the check
 constexpr int kPassesWithoutGain = 5;  // after that many the fit ends
 constexpr double kFar = 0.01;          // share over the limit above which a pass is far from the target
 constexpr double kCoarser = 2.0;       // tolerance of the pass after it over the one that was asked for
-// Strain to which cloth grows near the target, as a share of the limit.  There crumpled cloth ends over the limit here
-// in one pass, there in the next; cloth with more room does so less often.
+// Strain to which cloth grows near the target, as a share of the limit.  Near the target, different triangles of
+// crumpled cloth are over the limit in every pass; with more room fewer are.
 constexpr double kGoalNearTarget = 0.3;
 
 double areaOf(const Cloth& cloth) {

@@ -6,9 +6,9 @@
 //   embedding    a surface in space with the lengths of the chosen metric (rest_metric.h)
 //   check        a last pass on the rest shape chosen, from a start that is disturbed by a hundredth of a millimetre
 //
-// Every pass verifies the rest shape that the pass before it let out, so that nothing is computed only to verify. Where
-// cloth crumples, the smallest disturbance changes its folds: the pass of the rest shape chosen and the check are two
-// draws from what it may do, and the worse of them counts.
+// Every pass but the first also verifies the rest shape that the pass before it let out; only the check does nothing
+// else. Where cloth crumples, the smallest disturbance changes its folds and with them the share over the limit. The
+// larger share of the chosen pass and the check therefore counts.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// What a fit (fit.h) has done so far, and comes to.
+// The progress of a fit (fit.h) and its result.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ struct FitState {
   std::vector<FitPass> passes;
   Positions first_end;          // of the garment at the end of the first pass, m
   int best = 0;                 // the pass with the smallest share over the limit
-  double best_share = 1.0;      // that share; once its rest shape was checked, the larger one of pass and check
+  double best_share = 1.0;      // share over the limit of the best pass; after a check, the larger of pass and check
   std::vector<Mat2> best_rest;  // flat rest edges of that pass, m
   std::vector<Mat2> next_rest;  // of the next pass, m
-  bool over = false;            // the passes ended by themselves
+  bool over = false;            // no further pass is to be made before the check
   int resumed_after = 0;        // passes that were made before this fit was resumed
 };
 

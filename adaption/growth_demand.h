@@ -1,13 +1,13 @@
-// What all moments of a pass ask of the rest shape: the smallest growth of every triangle that makes each of them
-// comfortable.
+// What all moments of a pass ask of the rest shape: for every triangle a growth, as small as is easily found, that
+// makes each moment comfortable.
 //
 //   F = U diag(sigma_i) Vᵀ asks for G = V diag(max(1, sigma_i / (1 + goal limit))) Vᵀ
 //                                       where sigma_1 is above a threshold
 //
 // after Wolff et al. 2022.  Goal and threshold lie below 1 + limit by a margin, so that the limit also holds between
-// the measured moments and in a motion that differs a little.  The smallest growth that is at least as large as the
-// tensors of all moments is found moment by moment (smallestAboveBoth()), so that no pose counts more than another and
-// hardly anything depends on their order.
+// the measured moments and in a motion that differs a little.  The tensors of the moments are joined one by one, each
+// time by the smallest growth that is at least as large as both (smallestAboveBoth()).  The result is at least as large
+// as all of them, nearly the smallest such tensor, and depends little on the order of the moments.
 #pragma once
 
 #include <vector>

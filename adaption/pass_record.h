@@ -44,7 +44,9 @@ struct PassRecord {
   int steps = 0;         // time steps done
   int settle_steps = 0;  // among them, those after the motion
   int adaptions = 0;     // how often the rest shape was let out
-  int fully_grown = 0;   // triangles over the limit that have grown as far as they may (clip.h), at the end
+  // Triangles over the limit that may not grow further: in passes at any moment (growth_demand.h), in sequential
+  // adaption at the last one (clip.h).
+  int fully_grown = 0;
   Substeps substeps;
   StretchRecord stretch;
   Penetration penetration;

@@ -4,9 +4,9 @@
 //   l_e     rest length of edge e: the longer of its lengths in the triangles D'_t beside it, m
 //   D_t     the flat triangle with the lengths l_e, turned so that it lies nearest to D'_t, m
 //
-// Neighbours agree on the length of their common edge, so the flat triangles fit together, although no surface in space
-// is needed to say so.  A surface with nearly these lengths is computed once, at the end (stitch.h); to do so after
-// every growth would squeeze some of the triangles by a few per cent, and they would be over the limit again.
+// Neighbours agree on the length of their common edge, so the flat triangles can be sewn together, although no surface
+// in space has been computed.  A surface with nearly these lengths is computed once, at the end (stitch.h): computing
+// one after every growth would squeeze some triangles by a few per cent, and they would be over the limit again.
 #pragma once
 
 #include <vector>

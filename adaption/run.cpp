@@ -93,7 +93,7 @@ void Run::step(const Moment& moment) {
     }
   } catch (const ComputationError& error) {
     if (contacts_) contacts_->recordUse(record_);
-    throw ComputationError(joined("time step ", moment.done.all, " (", moment.time_s, " s): ", error.what()));
+    throw ComputationError(joined("time step ", moment.done.total, " (", moment.time_s, " s): ", error.what()));
   }
   if (contacts_) contacts_->recordUse(record_);
   ++record_.steps;
@@ -135,7 +135,7 @@ void Run::measure(const Moment& moment, const RunWatch& watch) {
   presence_->add(moment.time_s, state_.positions, body, contacts_->distances(), input_.body->band(),
                  [&](const Vec3& x) { return distanceTo(body, x); });
   record_.on_body = presence_->parts();
-  if (moment.done.all == 0) return;
+  if (moment.done.total == 0) return;
   contacts_->deepen(record_.penetration);
   contacts_->deepenLargeTriangles(s, state_.positions, record_.penetration);
 }

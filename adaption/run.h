@@ -17,11 +17,12 @@
 
 namespace ease {
 
-/// Contact stiffness, N/m^3: as the settings say, and at least what brings cloth at rest to the body's speed v (m/s)
-/// within half the comfort offset d:  1/2 k (d/2)^2 >= 1/2 rho v^2.
+/// Contact stiffness k, N/m^3: that of the settings, or more if a slower spring could not bring cloth at rest to the
+/// body's speed v, m/s, within half the comfort offset d, m:  1/2 k (d/2)^2 >= 1/2 rho v^2, rho in kg/m^2.
 double contactStiffness(const RunSettings& settings, double body_speed, const Cloth& cloth);
 
-constexpr double kRecoverySpeed = 4.0;  // m/s, beside the body's own: of cloth moved out of the body, at most
+/// Contact moves cloth out of the body at most this much faster than the body itself moves, m/s.
+constexpr double kRecoverySpeed = 4.0;
 
 /// What a run is given; must outlive it.
 struct RunInput {
@@ -40,8 +41,9 @@ class Run {
   /// Goes on from `from` instead of the start shape.  Must come before run().
   void resume(const RunState& from);
 
-  /// Carries the cloth through all moments of the schedule.  Throws ComputationError with the time step at which the
-  /// computation failed; state and record are then as they were before it.
+  /// Carries the cloth through all moments of the schedule.  If a time step fails, throws ComputationError, which names
+  /// the step and its time.  state() is then that after the last part (substeps.h) that succeeded.  Steps counted in
+  /// record() are complete ones; its other figures include the parts of the failed step.
   void run(const RunWatch& watch = {});
 
   const State& state() const { return state_; }

@@ -34,7 +34,7 @@ struct Snapshot {
   Positions body;                       // empty without a body, m
 };
 
-/// What a measured moment comes to.
+/// Figures of a measured moment.
 struct MeasuredMoment {
   double time_s = 0.0;
   StretchStatistics stretch;
@@ -44,7 +44,7 @@ struct MeasuredMoment {
 /// Who watches a run.  Functions may be empty; those of a moment are called in this order.
 struct RunWatch {
   std::function<void(const std::vector<Stretch>&)> on_stretch;  // the moment was measured
-  std::function<void(const MeasuredMoment&)> on_measured;       // the same moment
+  std::function<void(const MeasuredMoment&)> on_measured;       // the moment was measured; called after on_stretch
   std::function<void(const Snapshot&)> on_shown;                // the moment is worth a picture
   std::function<void(const Snapshot&)> on_frame;                // the moment is written
   std::function<void(const RunState&)> on_checkpoint;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adaption/growth.h"
 #include "adaption/stretch_measure.h"
 #include "solver/base/error.h"
 #include "solver/base/parallel.h"
@@ -30,8 +31,7 @@ Mat2 atLeastBoth(const Mat2& wanted, const Mat2& growth, const Mat2& edges) {
   if (growth == Mat2::Identity()) return wanted;
   const Mat2 map = growth * edges * wanted.inverse();
   const Stretch s = principalStretch(map.transpose() * map);
-  const double larger = std::max(1.0, s.sigma_1), smaller = std::max(1.0, s.sigma_2);
-  return (smaller * Mat2::Identity() + (larger - smaller) * s.direction * s.direction.transpose()) * wanted;
+  return growthTensor(std::max(1.0, s.sigma_1), std::max(1.0, s.sigma_2), s.direction) * wanted;
 }
 
 }  // namespace

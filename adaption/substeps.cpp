@@ -46,7 +46,7 @@ Substeps chooseSubsteps(const Schedule& schedule, double body_motion, double com
   if (body_motion > kMaxParts * max_motion)
     throw InputError(joined("the body moves ", body_motion, " m in a time step of ", schedule.time_step,
                             " s: expected at most ", kMaxParts * max_motion,
-                            " m; more interpolation steps, or more time steps for each?"));
+                            " m: raise seconds_per_pose or steps in [body], or steps_per_pose in [solver]"));
   Substeps parts;
   parts.interpolation =
       std::max(1, static_cast<int>(std::ceil(body_motion * schedule.steps_per_pose / kMaxMotionPerLevelSet)));

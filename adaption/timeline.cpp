@@ -19,7 +19,7 @@ bool isEvery(int count, int interval) {
 
 /// Fills in what is due at the end of a step.
 void setDue(const Schedule& schedule, bool is_last, Moment& moment) {
-  const int step = moment.done.all;
+  const int step = moment.done.total;
   moment.last = is_last;
   moment.adapts = isEvery(step, schedule.adapt_every);
   moment.written = schedule.write_every > 0 && (isEvery(step, schedule.write_every) || is_last);
@@ -58,20 +58,20 @@ std::vector<Moment> timeline(const Schedule& schedule, const StepsDone& done) {
 
   const std::vector<int> poses = posesOfMotion(schedule);
   const int steps_per_leg = schedule.steps_per_pose * schedule.interpolation_steps;
-  const int all = now.all + count;
-  int shown = static_cast<int>(static_cast<long>(now.all) * kShownMoments / std::max(1, all));
+  const int total = now.total + count;
+  int shown = static_cast<int>(static_cast<long>(now.total) * kShownMoments / std::max(1, total));
   std::vector<Moment> moments;
   for (int k = 1; k <= count; ++k) {
     Moment moment;
     moment.moves = k <= moving_left;
-    ++now.all;
+    ++now.total;
     ++(moment.moves ? now.moving : now.still);
     moment.done = now;
-    moment.time_s = now.all * schedule.time_step;
+    moment.time_s = now.total * schedule.time_step;
     moment.settles = now.still > held;
     if (moment.moves && now.moving % steps_per_leg == 0) moment.pose = poses[now.moving / steps_per_leg];
     setDue(schedule, k == count, moment);
-    const int due = static_cast<int>(static_cast<long>(now.all) * kShownMoments / all);
+    const int due = static_cast<int>(static_cast<long>(now.total) * kShownMoments / total);
     moment.shown = moment.measured && (moment.pose >= 0 || k == count || due > shown);
     if (moment.shown) shown = due;
     moments.push_back(moment);

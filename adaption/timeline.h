@@ -16,7 +16,7 @@ struct Schedule {
   int steps_per_pose = 4;        // time steps for each interpolation step (not for each of the `poses`)
   int steps_without_body = 0;    // time steps of a run without a body
   int cycles = 1;                // times through the motion: to the last pose, back, to the last pose, ...
-  int settle = 0;                // time steps more, after the motion
+  int settle = 0;                // time steps after the end of the motion
   int adapt_every = 0;           // time steps; 0: the rest shape stays
   int measure_every = 8;         // time steps
   int write_every = 0;           // time steps for each written frame; 0: nothing is written
@@ -24,8 +24,8 @@ struct Schedule {
 
 /// How far a run is, in time steps.
 struct StepsDone {
-  int all = 0;
-  int moving = 0;  // in which the body moved; they tell where it is
+  int total = 0;   // of the run
+  int moving = 0;  // those in which the body moved; they determine where the body is
   int still = 0;   // since the body moved last
 };
 
@@ -47,7 +47,7 @@ struct Moment {
 /// Numbers of the poses in the order in which the body reaches them.  Empty without a body.
 std::vector<int> posesOfMotion(const Schedule& schedule);
 
-/// Time steps of once through the motion.
+/// Number of time steps that one passage from the first pose to the last takes.
 int timeStepsOfMotion(const Schedule& schedule);
 
 /// The time steps that are left after those that are done.  Where poses were added to the schedule since, the body goes

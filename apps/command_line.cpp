@@ -22,12 +22,12 @@ constexpr const char* kExamples = R"(
 Examples:
   ease run scenes/t-shirt.toml                    results in results/t-shirt
   ease run scenes/t-shirt.toml -o out/shirt      results in out/shirt
-  ease check scenes/t-shirt.toml                  reads and checks everything, computes nothing
+  ease check scenes/t-shirt.toml                  reads and checks everything, simulates nothing
   ease pattern scenes/tunic.toml                  sewing pattern
 Every key of a scene, with its unit, is explained in scenes/t-shirt.toml; those of the tools that make a garment, in
 scenes/tunic.toml.
-Exit codes: 0 done, 1 wrong input, 2 the computation failed, 3 done but the garment left the body, so that the figures
-say nothing, 130 interrupted.)";
+Exit codes: 0 done, 1 wrong input, 2 the computation failed, 3 done, but the stretch cannot be trusted: the garment left
+the body, was never on it, slid, was thrown, or fell because nothing holds it, 130 interrupted.)";
 
 constexpr const char* kRunExamples = R"(
 Examples:
@@ -103,7 +103,7 @@ ExitCode parsed(int argc, char** argv) {
       ->check([](const std::string& directory) { return directory.empty() ? "expected a directory's name" : ""; });
   run->add_flag("--force", arguments.force, "Replace the results of another scene in that directory");
   run->footer(kRunExamples);
-  CLI::App* check = app.add_subcommand("check", "Read and check all that run would use; compute nothing");
+  CLI::App* check = app.add_subcommand("check", "Read and check all that run would use; simulate and write nothing");
   check->add_option("SCENE", arguments.scene, "Scene file, TOML")->required();
   check->footer(kCheckExamples);
 

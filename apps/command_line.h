@@ -1,4 +1,4 @@
-// The command line: `ease run SCENE`, `ease garment SCENE`, `ease check SCENE`.
+// The command line: `ease run`, `ease check`, `ease garment` and `ease pattern`.
 #pragma once
 
 namespace ease {

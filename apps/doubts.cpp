@@ -110,7 +110,7 @@ void doubt(const Scene& scene, const SceneInput& given, const Numbering& numberi
   for (const std::string& unheld : unheldParts(scene, given))
     (scene.adaption ? report.doubts : report.warnings).push_back(unheld);
   for (const std::string& line : report.doubts)
-    report.warnings.push_back(line + ": the figures of the stretch say nothing");
+    report.warnings.push_back(line + ": the figures of the stretch cannot be trusted");
   for (const std::string& lost : lostParts(last, context)) report.warnings.push_back(lost);
   if (const std::string line = missedTolerance(last, scene.solver.tolerance); !line.empty())
     report.warnings.push_back(line);

@@ -1,4 +1,4 @@
-// Why the figures of a run say nothing about a garment on a body: it left the body, was never on it, was thrown, or
+// Why the figures of a run cannot be trusted: the garment left the body, was never on it, slid along it, was thrown, or
 // fell because nothing holds it.
 #pragma once
 

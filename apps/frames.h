@@ -30,7 +30,8 @@ Frame garmentFrame(const Cloth& cloth, const State& state, const GarmentFields& 
 /// Makes the frame of the rest shape, embedded in space, with the arrays that belong to it.
 Frame restFrame(const Cloth& cloth, const std::vector<double>& first_areas);
 
-/// Puts a garment's frame, in the order of its file's vertices that are left, on the vertices of the file.
+/// Returns the frame with one entry per vertex of the garment's file.  The garment may have fewer vertices, since some
+/// were welded or unused; unused ones keep their place in the file and get 0 in every array.
 Frame asRead(const Frame& frame, const std::optional<GarmentAsRead>& file);
 
 /// The garment's triangles as its file numbers their vertices.

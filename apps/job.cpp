@@ -97,7 +97,7 @@ class Job {
     first_areas_ = cloth_->restAreas();
     if (scene_.body) body_.emplace(movingBody(scene_, input_));
     describe(scene_, input_, *cloth_, report_);
-    if (resume_from_ && !fitsInPasses(scene_)) report_.resumed_from_step = resume_from_->run.done.all;
+    if (resume_from_ && !fitsInPasses(scene_)) report_.resumed_from_step = resume_from_->run.done.total;
     const long replay_steps = static_cast<long>(timeline(replaySchedule(scene_)).size());
     if (fitsInPasses(scene_))  // at most: all passes, and the check
       progress_.emplace((scene_.adaption->fit.max_passes + 1) *
@@ -128,7 +128,7 @@ class Job {
     RunWatch run_watch = watch(scene_.adaption ? "adapting" : "simulating", verifies() ? nullptr : &album_after_);
     if (scene_.output && !momentsLeft().empty()) {  // otherwise only the replays are left
       writeFrames(series, run_watch,
-                  append_to_series_ ? (resume_from_->run.done.all + 0.5) * resume_from_->time_step_s : -1.0);
+                  append_to_series_ ? (resume_from_->run.done.total + 0.5) * resume_from_->time_step_s : -1.0);
     }
     run_watch.on_checkpoint = [&](const RunState& state) {
       if (series) series->finish();  // frames must be on disk before the checkpoint after them
@@ -171,7 +171,7 @@ class Job {
       writeCheckpoint(directory_ / kCheckpoint, checkpointOf(start, state));
     };
     const auto finish = [&] {
-      recordFit(fit, std::chrono::duration<double>(Clock::now() - begin_).count(), report_);
+      recordFit(fit, secondsSince(begin_), report_);
       for (auto* written : {&before, &series})
         if (*written) (*written)->finish();
       writeRestShape();

@@ -25,6 +25,7 @@
 #include "apps/scene_run.h"
 #include "apps/words.h"
 #include "solver/base/error.h"
+#include "solver/base/stopwatch.h"
 #include "viz/vtp_arrays.h"
 
 namespace ease {
@@ -32,6 +33,8 @@ namespace ease {
 namespace fs = std::filesystem;
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 /// The report of a finished run in a directory; null where there is none.
 nlohmann::json finishedReport(const fs::path& directory) {
@@ -172,6 +175,63 @@ void checkPieces(const Scene& scene, const SceneInput& input, FlatSettings setti
           width + scene.pattern.fabric_width - settings.widest));
 }
 
+/// Checks the results of a finished run against the scene, or runs the scene; returns how that run ended.
+RunEnd runOrCheck(const Scene& scene, SceneInput& input, const fs::path& run, const fs::path& directory,
+                  bool finds_cuts, const FlatSettings& settings, const std::atomic<bool>& interrupted) {
+  const nlohmann::json report = finishedReport(run);
+  if (report.is_null()) {
+    if (!finds_cuts) ofPattern(scene, [&] { checkPieces(scene, input, settings); });
+    fmt::print("no finished run in {}: the scene is run first\n", run.string());
+    if (input.authored) writeGarment(scene, input, directory, interrupted);
+    return runScene(scene, input, directory, interrupted);
+  }
+  checkSameLimit(report, scene, run);
+  checkSameInputs(report, scene, run);
+  RunEnd end = RunEnd::done;
+  for (const nlohmann::json& doubt : report.value("doubts", nlohmann::json::array())) {
+    end = RunEnd::doubtful;
+    say("warning", fmt::format("{}: {}: the pattern is of a garment whose fit is unknown", run.string(),
+                               doubt.get<std::string>()));
+  }
+  return end;
+}
+
+/// Finds cuts if asked for, and flattens the rest shape; `input` and `rest` are then cut and slid as the pieces are.
+MadePattern madePattern(const Scene& scene, bool finds_cuts, const FlatSettings& settings, SceneInput& input,
+                        RestShape& rest) {
+  const Clock::time_point begin = Clock::now();
+  RestGarment garment{{rest.positions, input.garment.triangles}, rest.edges, input.seams, loopsOf(input)};
+  MadePattern made;
+  ofPattern(scene, [&] {
+    if (finds_cuts) {
+      CutSettings cuts = scene.pattern.cuts.value_or(CutsScene()).settings;
+      cuts.size.widest = settings.widest;
+      made.cuts = findCuts(garment, cuts, settings);
+      garment = made.cuts->cut.garment;
+      cutInput(made.cuts->cut, input, rest);
+    }
+    made.flat = flattenGarment(garment, settings);
+    checkAllowanceNames(scene.pattern.allowances, made.flat.cut);
+    made.file_vertex = fileVertices(input, made.flat.cut.pieces.glue);
+    cutInput(made.flat.slid, input, rest);
+    drawPattern(scene, made);
+  });
+  made.wall_s = secondsSince(begin);
+  return made;
+}
+
+/// Sews the pieces again, simulates the garment, and lets out pieces that need it.
+void checkSewn(const Scene& scene, const SceneInput& input, const RestShape& rest, const FlatSettings& settings,
+               const std::atomic<bool>& interrupted, MadePattern& made) {
+  fmt::print("pattern   {} in {:.1f} s; the garment sewn from them is simulated\n",
+             counted(static_cast<long>(made.flat.pieces.size()), "piece"), made.wall_s);
+  std::fflush(stdout);
+  made.resewn = sewAgain(scene, input, rest, settings, interrupted, made.flat);
+  const Clock::time_point let_out = Clock::now();
+  drawPattern(scene, made);
+  made.wall_s += secondsSince(let_out);
+}
+
 }  // namespace
 
 ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
@@ -199,56 +259,14 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
     if (finds_cuts && scene.pattern.cuts) checkPlane(scene, input);
     const FlatSettings settings = flatSettings(scene);
     const ResultDirectory results(directory);
-    bool doubtful = false;
-    if (const nlohmann::json report = finishedReport(run); !report.is_null()) {
-      checkSameLimit(report, scene, run);
-      checkSameInputs(report, scene, run);
-      for (const nlohmann::json& doubt : report.value("doubts", nlohmann::json::array())) {
-        doubtful = true;
-        say("warning", fmt::format("{}: {}: the pattern is that of a garment whose fit nothing is known of",
-                                   run.string(), doubt.get<std::string>()));
-      }
-    } else {
-      if (!finds_cuts) ofPattern(scene, [&] { checkPieces(scene, input, settings); });
-      fmt::print("no finished run in {}: the scene is run first\n", run.string());
-      if (input.authored) writeGarment(scene, input, directory, interrupted);
-      const RunEnd end = runScene(scene, input, directory, interrupted);
-      doubtful = end == RunEnd::doubtful;
-      if (end == RunEnd::interrupted) {
-        say("interrupted", fmt::format("what was written until then is in {}", directory.string()));
-        return kInterrupted;
-      }
+    const RunEnd end = runOrCheck(scene, input, run, directory, finds_cuts, settings, interrupted);
+    if (end == RunEnd::interrupted) {
+      say("interrupted", fmt::format("what was written until then is in {}", directory.string()));
+      return kInterrupted;
     }
     RestShape rest = readRestShape(run / "rest_shape.vtp", input);
-
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point begin = Clock::now();
-    RestGarment garment{{rest.positions, input.garment.triangles}, rest.edges, input.seams, loopsOf(input)};
-    MadePattern made;
-    ofPattern(scene, [&] {
-      if (finds_cuts) {
-        CutSettings cuts = scene.pattern.cuts.value_or(CutsScene()).settings;
-        cuts.size.widest = settings.widest;
-        made.cuts = findCuts(garment, cuts, settings);
-        garment = made.cuts->cut.garment;
-        cutInput(made.cuts->cut, input, rest);
-      }
-      made.flat = flattenGarment(garment, settings);
-      checkAllowanceNames(scene.pattern.allowances, made.flat.cut);
-      made.file_vertex = fileVertices(input, made.flat.cut.pieces.glue);
-      cutInput(made.flat.slid, input, rest);
-      drawPattern(scene, made);
-    });
-    made.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
-    if (scene.pattern.check) {
-      fmt::print("pattern   {} in {:.1f} s; the garment sewn from them is simulated\n",
-                 counted(static_cast<long>(made.flat.pieces.size()), "piece"), made.wall_s);
-      std::fflush(stdout);
-      made.resewn = sewAgain(scene, input, rest, settings, interrupted, made.flat);
-      const Clock::time_point let_out = Clock::now();
-      drawPattern(scene, made);
-      made.wall_s += std::chrono::duration<double>(Clock::now() - let_out).count();
-    }
+    MadePattern made = madePattern(scene, finds_cuts, settings, input, rest);
+    if (scene.pattern.check) checkSewn(scene, input, rest, settings, interrupted, made);
     if (made.cuts)
       for (const std::string& warning : made.cuts->warnings) say("warning", warning);
     for (const std::string& warning : made.flat.warnings) say("warning", warning);
@@ -258,7 +276,7 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
     if (made.cuts) warnings.insert(warnings.end(), made.cuts->warnings.begin(), made.cuts->warnings.end());
     showPatternInPage(directory, summary, warnings);
     fmt::print("{}results   {}\n", summary, directory.string());
-    return doubtful ? kDoubtful : kDone;
+    return end == RunEnd::doubtful ? kDoubtful : kDone;
   });
 }
 

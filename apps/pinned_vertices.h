@@ -8,8 +8,9 @@
 
 namespace ease {
 
-/// Finds the vertices of each [[garment.pin]] on the input's garment.  Throws InputError naming the pin if the garment
-/// has no such loop or vertex, if no vertex lies in the ball, or if an earlier pin already holds one of the vertices.
+/// Finds the vertices of each [[garment.pin]] on the input's garment.  A vertex that an earlier pin holds in the same
+/// way is left out of the later one.  Throws InputError naming the pin if the garment has no such loop or vertex, if no
+/// vertex lies in the ball, or if one vertex is pinned both to the body and in space.
 std::vector<std::vector<int>> pinnedVertices(const Scene& scene, const SceneInput& input, const Topology& topology);
 
 }  // namespace ease

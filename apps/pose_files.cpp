@@ -117,10 +117,10 @@ void closeHoles(const Scene& scene, const Positions* garment, const Warn& warn, 
     const std::string place = fmt::format("about ({:.3f}, {:.3f}, {:.3f}), {:.2g} m wide, {} edges", hole.centre.x(),
                                           hole.centre.y(), hole.centre.z(), hole.width_m, hole.loop.size());
     if (garment && 2 * sharedWith(*garment, hole, body.positions) > static_cast<long>(hole.loop.size()))
-      throw InputError(
-          fmt::format("{}: an open edge of it is one of the garment's, {}: is the garment in this file, too? "
-                      "Leave it out",
-                      name, place));
+      throw InputError(fmt::format(
+          "{}: the body has an open edge that is also the garment's, {}: the file seems to hold the garment, "
+          "too; remove it from there",
+          name, place));
     const Triangles patch = patchFor(hole, body.positions, name);
     if (garment && !scene.body->close_all && distanceToGarment(hole, patch, body.positions, *garment) < kHoleReach)
       throw InputError(
@@ -185,8 +185,8 @@ void checkPlace(const Warn& warn, const Files& files) {
     const std::string advice = frameAdvice(size);
     const double width = std::max(size.x(), size.z());
     const std::string wide = width > size.y() ? fmt::format(" and {:.4g} m wide", width) : "";
-    warn(fmt::format("{}: {:.4g} m tall along y{}: a person is not; units? metres expected, y up{}", files.names[p],
-                     size.y(), wide, advice.empty() ? "" : "; [body] " + advice));
+    warn(fmt::format("{}: the body is {:.4g} m tall along y{}, unlike a person: check unit and axes (metres, y up){}",
+                     files.names[p], size.y(), wide, advice.empty() ? "" : "; [body] " + advice));
     return;  // the others are told by the first
   }
 }

@@ -34,8 +34,13 @@ struct Report {
   bool interrupted = false;
   std::string failure;  // where and why the computation failed; empty if it did not
   std::vector<std::string> warnings;
-  std::vector<std::string> doubts;  // why the figures say nothing (doubts.h)
+  std::vector<std::string> doubts;  // why the figures cannot be trusted (doubts.h)
 };
+
+/// Rate, 1/s; 0 where no time passed.
+inline double perSecond(int count, double seconds) {
+  return seconds > 0.0 ? count / seconds : 0.0;
+}
 
 /// Fills in what is known before the run: sizes, limit, names of the poses and warnings about the input.
 void describe(const Scene& scene, const SceneInput& input, const Cloth& cloth, Report& report);

@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "adaption/growth_demand.h"
 #include "apps/painted_rest.h"
+#include "apps/progress.h"
 #include "apps/scene_run.h"
 #include "apps/words.h"
 #include "solver/base/error.h"
+#include "solver/base/stopwatch.h"
 
 namespace ease {
 
@@ -21,7 +25,7 @@ constexpr int kFollowing = 2;    // rings of triangles around those that are let
 // Limit that the demand is for, over the garment's: so cloth is let out from 0.96 of the limit on, until it is
 // stretched by 0.72 of it (growth_demand.h).
 constexpr double kLetOut = 1.2;
-constexpr double kMoreOverLimit = 0.001;  // share of the triangles, over the designed garment's, from which it is told
+constexpr double kMoreOverLimit = 0.001;  // share of the triangles beyond the designed garment's that is warned of
 
 /// Where the garment was in the poses, and how far over the limit.
 struct Replayed {
@@ -42,7 +46,28 @@ class Replay {
         cloth_(input_.garment, scene.garment.grain, scene.material),
         interrupted_(interrupted) {
     if (!input_.paint.empty()) paintFirstRest(input_.paint, cloth_);
-    if (!scene.body) return;
+    long steps = static_cast<long>(timeline(replaySchedule(scene)).size());
+    if (scene.body) {
+      holdFirstPose(scene);
+      steps += static_cast<long>(timeline(replaySchedule(held_scene_)).size());
+    }
+    // At most: both garments, and all rounds of letting out.
+    progress_.emplace(steps * (2 + (scene.adaption ? scene.pattern.let_out : 0)));
+  }
+
+  Cloth& cloth() { return cloth_; }
+
+  /// `demand`: is told all stretches; may be null. `which`: the garment, for the line of progress.
+  Replayed of(const RestShape& rest, GrowthDemand* demand, const std::string& which) {
+    which_ = which;
+    Replayed replayed;
+    if (scene_.body) pass(held_scene_, held_input_, &*held_body_, rest, demand, replayed, true);
+    pass(scene_, input_, body_ ? &*body_ : nullptr, rest, demand, replayed, false);
+    return replayed;
+  }
+
+ private:
+  void holdFirstPose(const Scene& scene) {
     body_.emplace(movingBody(scene, input_));
     held_scene_ = scene;
     held_scene_.body->poses.resize(1);
@@ -51,17 +76,6 @@ class Replay {
     held_body_.emplace(movingBody(held_scene_, held_input_));
   }
 
-  Cloth& cloth() { return cloth_; }
-
-  /// `demand`: is told all stretches; may be null.
-  Replayed of(const RestShape& rest, GrowthDemand* demand) {
-    Replayed replayed;
-    if (scene_.body) pass(held_scene_, held_input_, &*held_body_, rest, demand, replayed, true);
-    pass(scene_, input_, body_ ? &*body_ : nullptr, rest, demand, replayed, false);
-    return replayed;
-  }
-
- private:
   void pass(const Scene& scene, const SceneInput& input, MovingBody* body, const RestShape& rest, GrowthDemand* demand,
             Replayed& replayed, bool is_held) {
     cloth_.setRest(rest);
@@ -73,6 +87,8 @@ class Replay {
       if (demand) demand->add(cloth_, stretch);
     };
     watch.on_step = [&](const Moment& moment) {
+      progress_->advance(
+          fmt::format("{}, {:.3f} s {}", which_, moment.time_s, is_held ? "on the first pose" : "of motion"));
       if (is_held || moment.pose < 0) return;
       replayed.poses.push_back(restored(run.state().positions, numbering_.garment.vertices));
       replayed.numbers.push_back(moment.pose);
@@ -96,6 +112,8 @@ class Replay {
   SceneInput held_input_;
   Cloth cloth_;
   std::optional<MovingBody> body_, held_body_;
+  std::optional<Progress> progress_;
+  std::string which_;
   const std::atomic<bool>& interrupted_;
 };
 
@@ -164,17 +182,17 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
                 const std::atomic<bool>& interrupted, FlatPattern& pattern) {
   Resewn result;
   const auto begin = std::chrono::steady_clock::now();
-  const auto wall = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  const auto wall = [&] { return secondsSince(begin); };
   const InputNumbering numbering = spatialNumbering(input);
   Replay replay(scene, input, numbering, interrupted);
   const auto numbered = [&](const std::vector<Mat2>& edges) {
     return RestShape{renumbered(designed.positions, numbering.garment.vertices),
                      renumbered(edges, numbering.garment.triangles)};
   };
-  const Replayed as_designed = replay.of(numbered(designed.edges), nullptr);
+  const Replayed as_designed = replay.of(numbered(designed.edges), nullptr, "designed garment");
   result.has_limit = scene.adaption.has_value();
   GrowthDemand demand(kLetOut * (scene.adaption ? scene.adaption->limit : 0.1));
-  Replayed as_sewn = replay.of(numbered(sewnEdges(pattern)), result.has_limit ? &demand : nullptr);
+  Replayed as_sewn = replay.of(numbered(sewnEdges(pattern)), result.has_limit ? &demand : nullptr, "sewn garment");
   compare(scene, input, pattern, as_designed, as_sewn, result);
   result.wall_s = wall();
   if (!result.has_limit) return result;
@@ -189,20 +207,20 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
     const std::vector<Mat2> grown = restored(replay.cloth().restEdges(), numbering.garment.triangles);
     loosen(input.garment.triangles, sewnEdges(trial), grown, excess);
     trial = flattenAgain(trial, grown, settings, excess);
-    as_sewn = replay.of(numbered(sewnEdges(trial)), &demand);
+    as_sewn = replay.of(numbered(sewnEdges(trial)), &demand, fmt::format("let out {}", counted(round, "time")));
     if (as_sewn.over_limit >= result.over_limit || closesPiece(pattern, trial)) continue;
     pattern = trial;
     compare(scene, input, pattern, as_designed, as_sewn, result);
     result.rounds = round;
   }
   if (result.over_limit > as_designed.over_limit + kMoreOverLimit)
-    pattern.warnings.push_back(
-        fmt::format("the sewn garment is over the limit on {:.2f} % of the triangles, the designed one on {:.2f} %: "
-                    "{}; give the pieces one more seam",
-                    100 * result.over_limit, 100 * as_designed.over_limit,
-                    scene.pattern.let_out > 0
-                        ? fmt::format("{} of letting out do not reach it (let_out)", counted(round - 1, "round"))
-                        : "let_out = 0, they are not let out"));
+    pattern.warnings.push_back(fmt::format(
+        "the sewn garment is over the limit on {:.2f} % of the triangles, the designed one on {:.2f} %: "
+        "{}; add a [[garment.seam]]",
+        100 * result.over_limit, 100 * as_designed.over_limit,
+        scene.pattern.let_out > 0
+            ? fmt::format("{} of letting out did not mend it, raise [pattern] let_out", counted(round - 1, "round"))
+            : "let_out = 0, they are not let out"));
   result.area_ratio = clothArea(pattern) / first_area;
   result.wall_s = wall();
   return result;

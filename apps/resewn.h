@@ -19,7 +19,7 @@
 
 namespace ease {
 
-/// The garment in one pose.
+/// How far the sewn garment lies from the designed one in one pose.
 struct ResewnPose {
   std::string pose;
   double rms_m = 0.0, max_m = 0.0;  // distance of the vertices of both garments
@@ -42,8 +42,9 @@ struct Resewn {
   Positions designed_end, sewn_end;  // at the end of the motion, m, in the order of the garment's file
 };
 
-/// Replays, and lets out until the limit is kept or nothing is gained in `scene.pattern.let_out` rounds; `pattern` is
-/// then the pattern that was let out.  `designed`: rest shape of the run.  Throws Interrupted.
+/// Simulates both garments.  Lets pieces out in at most `scene.pattern.let_out` rounds, until the sewn garment is over
+/// the limit no more than the designed one; `pattern` becomes the best pattern found.  `designed`: rest shape of the
+/// run. Throws Interrupted, and ComputationError as a run does.
 Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& designed, const FlatSettings& settings,
                 const std::atomic<bool>& interrupted, FlatPattern& pattern);
 

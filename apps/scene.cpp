@@ -68,11 +68,11 @@ BodyScene readBody(const TomlTable& table, const std::filesystem::path& folder) 
     body.close_all = table.choice("holes", "far", {"far", "close"}) == "close";
     if (table.has("align")) body.align = table.boolean("align", true);
     for (const char* key : {"height", "chest", "waist", "hips"})
-      if (table.has(key)) table.refuse(key, "builtin = 'mannequin' for it: pose files have their measures");
+      if (table.has(key)) table.refuse(key, "no such key with pose files: it is a measure of builtin = 'mannequin'");
     return body;
   }
   for (const char* key : {"unit", "up", "facing", "weld", "holes", "align", "match"})
-    if (table.has(key)) table.refuse(key, "pose files for it: the mannequin is as it should be");
+    if (table.has(key)) table.refuse(key, "no such key with builtin = 'mannequin': it describes pose files");
   body.measures = readMeasures(table);
   for (const std::string& pose : body.poses) {
     const std::vector<std::string>& known = mannequinPoses();
@@ -122,12 +122,13 @@ GarmentScene readGarment(const TomlTable& table, const std::optional<BodyScene>&
     table.refuse("builtin", "[body] poses to begin with 't', since built-in garments are made on that pose");
   if (garment.tools && table.has("vertices")) table.refuse("vertices", "resolution, since the garment has boundaries");
   if (!built_in && !garment.is_draft && table.has("vertices"))
-    table.refuse("vertices", "builtin: a mesh has the vertices that it has");
+    table.refuse("vertices", "no such key with a mesh file: it sets the size of a builtin garment");
   for (const char* key : {"unit", "up", "facing", "weld"})
-    if (garment.mesh.empty() && table.has(key)) table.refuse(key, "mesh, a file, for it");
+    if (garment.mesh.empty() && table.has(key))
+      table.refuse(key, "no such key without a mesh file, which it describes");
   if (!garment.mesh.empty()) garment.frame = readFrame(table, body ? body->frame : MeshFrame());
   garment.weld = table.boolean("weld", garment.weld);
-  garment.vertices = table.integer("vertices", garment.vertices, 100, 200000);
+  garment.vertices = table.integer("vertices", garment.vertices, 300, 100000);
 
   garment.grain = readVec3(table, "grain", garment.grain, 1e6, "");
   if (garment.grain.norm() < 1e-6) table.refuse("grain", "a direction, not zero");
@@ -182,7 +183,8 @@ AdaptionScene readAdaption(const TomlTable& table, double time_step) {
   const bool sequential = table.choice("mode", "passes", {"passes", "sequential"}) == "sequential";
   adaption.mode = sequential ? AdaptionMode::sequential : AdaptionMode::passes;
   for (const char* key : {"target", "passes"})
-    if (sequential && table.has(key)) table.refuse(key, "mode = 'passes' for it");
+    if (sequential && table.has(key))
+      table.refuse(key, "no such key with mode = 'sequential': it belongs to mode = 'passes'");
   adaption.fit.target = table.number("target", adaption.fit.target, {0.0, 1.0, false, ""});
   adaption.fit.max_passes = table.integer("passes", adaption.fit.max_passes, 1, 1000);
   adaption.limit = table.number("limit", adaption.limit, {0.0, 2.0, true, ""});
@@ -192,7 +194,7 @@ AdaptionScene readAdaption(const TomlTable& table, double time_step) {
   adaption.settle = table.integer("settle", adaption.settle, 0, 1000000);
   adaption.verify = table.boolean("verify", adaption.verify);
   if (!sequential && !adaption.verify)
-    table.refuse("verify", "mode = 'sequential' for it: passes verify by themselves");
+    table.refuse("verify", "true, since passes always verify; false needs mode = 'sequential'");
   return adaption;
 }
 

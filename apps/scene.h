@@ -33,8 +33,8 @@ struct BodyScene {
   MeshFrame frame;                     // unit and axes of the files
   bool weld = true;                    // whether open edges at one place are closed (solver/mesh/weld.h)
   bool close_all = false;              // holes = "close": also those near the garment
-  std::optional<bool> align;           // of poses that stand elsewhere; none: those further than a person moves
-  double seconds_per_pose = 0.6;       // from one pose to the next, s; `steps` follow from it unless they are given
+  std::optional<bool> align;  // true: move every pose to where the one before stands; none: only those too far to walk
+  double seconds_per_pose = 0.6;  // from one pose to the next, s; `steps` follow from it unless they are given
 };
 
 struct PinScene {
@@ -131,7 +131,7 @@ inline double secondsPerPose(const Scene& scene) {
   return scene.body ? scene.body->steps * scene.solver.steps_per_pose * scene.solver.time_step : 0.0;
 }
 
-/// A garment as its file has it, where the garment's vertices are other ones: welded, or without those not used.
+/// The garment as its file has it, kept where vertices were welded or left out.
 struct GarmentAsRead {
   TriangleMesh mesh;
   std::vector<int> vertex;  // of the garment, for each vertex of the file; -1: none

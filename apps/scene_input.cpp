@@ -98,7 +98,8 @@ std::string readGarment(const Scene& scene, double offset, const Warn& warn, con
     return name;
   }
   if (!garment.builtin.empty()) {
-    input.garment = builtinGarment(garment.builtin, garment.vertices, offset, scene.body->measures);
+    input.garment = ofGarment(
+        scene, [&] { return builtinGarment(garment.builtin, garment.vertices, offset, scene.body->measures); });
     drawSeams(scene, "the built-in garment", input);
     return fmt::format("{}: [garment] builtin = '{}'", scene.file.string(), garment.builtin);
   }

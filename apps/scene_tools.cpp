@@ -162,7 +162,7 @@ void readGarmentTools(const TomlTable& table, bool has_body, bool may_be_draft, 
     if (!has_loops && !may_be_draft && table.has(key))
       table.refuse(key, fmt::format("[[garment.boundary]] loops for '{}'", key));
   for (const char* key : {"boundary", "comfort"})
-    if (!has_body && table.has(key)) table.refuse(key, "a [body] for it");
+    if (!has_body && table.has(key)) table.refuse(key, "a [body] in this scene, which it needs");
   for (const char* key : {"mesh", "builtin"})
     if (has_loops && table.has(key)) table.refuse(key, "either this or [[garment.boundary]] loops, not both");
   if (has_loops)

@@ -58,7 +58,7 @@ TomlTable TomlTable::parse(const std::string& text, const std::filesystem::path&
   }
 }
 
-void TomlTable::allow(std::initializer_list<std::string_view> keys) const {
+void TomlTable::allow(const std::vector<std::string_view>& keys) const {
   const toml::node* first = nullptr;
   std::string_view unknown;
   for (const auto& [key, node] : *data_->table) {

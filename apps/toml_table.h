@@ -32,7 +32,7 @@ class TomlTable {
 
   /// Throws InputError if the table has a key other than these, and suggests the most similar of them.  To be called
   /// before reading: a misspelt key should be reported as such, not as a missing one.
-  void allow(std::initializer_list<std::string_view> keys) const;
+  void allow(const std::vector<std::string_view>& keys) const;
 
   bool has(std::string_view key) const;
 

@@ -74,7 +74,7 @@ def last_words(log):
     """The last line of a log in which Ease says what was wrong; its last line where it does not."""
     lines = log.read_text(encoding="utf-8", errors="replace").strip().splitlines() or [""]
     said = [line for line in lines if line.startswith(("ease: error: ", "ease: interrupted: "))]
-    doubts = [line for line in lines if line.startswith("stretch says nothing: ")]
+    doubts = [line for line in lines if line.startswith("stretch not to be trusted: ")]
     return (said or doubts or lines)[-1].removeprefix("ease: ").removeprefix("error: ")
 
 

@@ -18,6 +18,7 @@
 #include "bench/program.h"
 #include "bench/step_curve.h"
 #include "solver/base/error.h"
+#include "solver/base/stopwatch.h"
 
 using namespace ease;
 
@@ -61,7 +62,7 @@ void fallAndRest(benchmark::State& state, const Rest& expected, const Setting& s
     State cloth = sheet->start;
     const auto start = std::chrono::steady_clock::now();
     for (int n = 0; n < kSwing; ++n) advance(*sheet, step, n * kStep, kStep, cloth);
-    state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / kSwing);
+    state.SetIterationTime(secondsSince(start) / kSwing);
     for (int n = kSwing; n < kSwing + kSettle; ++n) {
       advance(*sheet, step, n * kStep, kStep, cloth);
       cloth.velocities *= 0.95;

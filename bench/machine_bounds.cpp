@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/base/parallel.h"
+#include "solver/base/stopwatch.h"
 
 namespace ease {
 
@@ -23,7 +24,7 @@ double leastSeconds(const Work& work) {
     while (seconds < kMeasure) {
       work();
       ++calls;
-      seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      seconds = secondsSince(start);
     }
     least = std::min(least, seconds / calls);
   }

@@ -26,6 +26,7 @@
 #include "bench/settings.h"
 #include "bench/step_error.h"
 #include "solver/base/error.h"
+#include "solver/base/stopwatch.h"
 
 using namespace ease;
 
@@ -76,7 +77,7 @@ Outcome runCell(const Cell& cell) {
     try {
       const auto start = std::chrono::steady_clock::now();
       advance(*sheet, step, n * cell.h, cell.h, state);
-      outcome.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      outcome.seconds += secondsSince(start);
     } catch (const ComputationError&) {
       outcome.stopped = n + 1;
       return outcome;

@@ -156,14 +156,14 @@ def stability(cases):
 
 def fuzz(cases):
     """How commands ended on damaged inputs; the last column marked where one did not end in order."""
-    counts = ("tried", "done", "refused", "failed", "crashes", "hangs", "unclear")
+    counts = ("tried", "done", "refused", "failed", "doubtful", "crashes", "hangs", "unclear", "silent")
     rows = [[c.name.partition("input:")[2].replace("_", " "),
              *(f"{c.median(key):g}" if c.runs else c.error for key in counts)] for c in cases.values()]
     sums = [sum(c.median(key) for c in cases.values() if c.runs) for key in counts]
     rows.append(["all", *(f"{total:g}" for total in sums)])
     for row in rows:
-        row.append("no" if any(cell != "0" for cell in row[-3:]) else "yes")
+        row.append("no" if any(cell != "0" for cell in row[-4:]) else "yes")
     return ("<p>Inputs damaged at random, each read by a command in a process of its own: exit codes 0, 1 and 2; ended "
             "by a signal; not at all; without one clear line, or with files left half written.</p>\n"
-            + table(["input", "tried", "0", "1", "2", "crashes", "hangs", "unclear", "in order"], rows,
+            + table(["input", "tried", "0", "1", "2", "3", "crashes", "hangs", "unclear", "silent", "in order"], rows,
                     marked_last=lambda text: text == "no"))

@@ -11,6 +11,7 @@
 #include "apps/scene_run.h"
 #include "apps/series_of_run.h"
 #include "solver/base/error.h"
+#include "solver/base/stopwatch.h"
 #include "solver/io/mesh_io.h"
 
 namespace ease {
@@ -18,10 +19,6 @@ namespace ease {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Returns the times that were spent between two moments of a run.
 PassTimes operator-(const PassTimes& later, const PassTimes& earlier) {

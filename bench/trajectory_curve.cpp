@@ -10,6 +10,7 @@
 #include "bench/program.h"
 #include "bench/step_error.h"
 #include "solver/base/error.h"
+#include "solver/base/stopwatch.h"
 
 namespace ease {
 
@@ -114,7 +115,7 @@ struct Trial {
   void takeAll(const Reference& reference, benchmark::State& state) {
     const Clock::time_point start = Clock::now();
     const Snapshots x = snapshots(*reference.sheet, setting.options, trajectory, rate);
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const double seconds = secondsSince(start);
     state.SetIterationTime(seconds);
     *slowest_s = std::max(*slowest_s, seconds);
     total_s += seconds;

@@ -21,4 +21,13 @@ function(ease_library component)
   # compiled with other flags can link the library.  By default both depend on the length of vectors: arrays that the
   # library allocates for AVX-512 could then not be freed by a program for SSE.
   target_compile_definitions(ease_${component} PUBLIC EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=16)
+  ease_precompile(ease_${component})
+endfunction()
+
+# ease_precompile(TARGET HEADER...): what most sources of a target include is read once, which saves two of the four to
+# six seconds that a source takes.  Every source includes what it uses all the same: the presets debug, asan and tsan
+# build without, by CMAKE_DISABLE_PRECOMPILE_HEADERS.
+function(ease_precompile target)
+  target_precompile_headers(${target} PRIVATE <Eigen/Geometry> <Eigen/SparseCore> <algorithm> <array> <cmath>
+    <filesystem> <fstream> <functional> <map> <memory> <optional> <span> <string> <vector> ${ARGN})
 endfunction()

@@ -45,8 +45,9 @@ bool meet(const Corners& a, const Corners& b, double slack) {
 bool pierces(const Vec3& p, const Vec3& q, const Corners& a) {
   const auto volume = [&](const Vec3& s, const Vec3& t) { return (s - p).cross(t - p).dot(q - p); };
   const Vec3 normal = doubleAreaNormal(a[0], a[1], a[2]);
-  const double from = normal.dot(p - a[0]), to = normal.dot(q - a[0]);
-  if ((from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0) || (from == 0.0 && to == 0.0)) return false;
+  const double height_p = normal.dot(p - a[0]), height_q = normal.dot(q - a[0]);
+  if ((height_p > 0.0 && height_q > 0.0) || (height_p < 0.0 && height_q < 0.0)) return false;
+  if (height_p == 0.0 && height_q == 0.0) return false;
   const auto [low, high] = std::minmax({volume(a[0], a[1]), volume(a[1], a[2]), volume(a[2], a[0])});
   return low >= 0.0 || high <= 0.0;
 }

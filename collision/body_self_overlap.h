@@ -1,9 +1,8 @@
 // Finds where the body's surface passes through itself, and which triangles bound the union of what it encloses.
 //
-//     ___  ___
-//    /   \/   \      boundary: outer arcs;  buried: the arcs within the other ball;  crossing: triangles where they
-//    meet
-//   |    /\    |
+//     ___  ___        boundary: outer arcs
+//    /   \/   \       buried:   the arcs within the other ball
+//   |    /\    |      crossing: triangles where the arcs meet
 //    \__ \/ __/
 //
 // First come the pairs of triangles that cross.  Crossing triangles divide the others into connected patches.  No

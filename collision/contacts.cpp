@@ -20,7 +20,7 @@ constexpr double kExactBelow = 2e-3;      // m: smaller distances are computed f
 constexpr double kMaxDistance = 0.1;      // m: limit of that search; no cloth is deeper in the body
 constexpr double kStill = 1e-4;           // m: smaller errors in the body's motion need no second lookup
 constexpr double kRidgeTolerance = 2e-4;  // m: interpolation error of the level set, not to be taken for a ridge
-constexpr double kMinShortfall = 0.1;  // of the way out: a smaller shortfall at its end is no second part of the body
+constexpr double kMinShortfall = 0.1;     // share of the way out by which its end must be too near to be a second part
 
 }  // namespace
 
@@ -94,8 +94,8 @@ double distanceTo(const BodyMoment& body, const Vec3& x) {
 }
 
 double depthOfTriangle(const BodyMoment& body, const Vec3& a, const Vec3& b, const Vec3& c, double step) {
-  // Distance changes by at most the way: a point is left out where one of those measured before it, far from the body
-  // enough, shows that it cannot be the deepest.
+  // Between two points the distance to the body changes by at most their distance. A point is therefore skipped if an
+  // earlier one, at distance d from the body, is within d + deepest of it: it cannot be deeper than `deepest`.
   struct Measured {
     Vec3 at;
     double distance;  // m

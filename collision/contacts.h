@@ -33,8 +33,8 @@ double depthOfTriangle(const BodyMoment& body, const Vec3& a, const Vec3& b, con
 /// Largest depth of the cloth inside the body by kind of sample, m; 0 if no sample is inside.
 struct Penetration {
   double vertices = 0.0, edge_midpoints = 0.0, centroids = 0.0;
-  double triangles = 0.0;  // at any point of large triangles, measured less often; at least the others
-  /// Raises the depths to those of these signed distances, one a sample, m.
+  double triangles = 0.0;  // largest depth at any point of the cloth: the samples and the inside of large triangles
+  /// Raises each depth to that of the deepest sample of its kind.  `sample_distances`: signed, one per sample, m.
   void deepen(const std::vector<double>& sample_distances, int vertex_count, int edge_count);
 };
 

@@ -81,11 +81,11 @@ void CornerGrid::fill(const KnownCorners& known, std::vector<Leaf::NodeMaskType>
     const MarkedBlock& block = known.blocks[b];
     Leaf& leaf = *grid->tree().probeLeaf(origin(block));
     for (int x = 0; x < kSide; ++x) filled[leaf.transientData()].getWord<std::uint64_t>(x) = block.corners[x];
-    int from = known.first[b];
+    int next = known.first[b];
     visitCorners(block, [&](int offset) {
-      corners[place(leaf, offset)] = known.values[from];
-      nearest[place(leaf, offset)] = known.nearest[from];
-      leaf.buffer().data()[offset] = known.values[from++].phi;
+      corners[place(leaf, offset)] = known.values[next];
+      nearest[place(leaf, offset)] = known.nearest[next];
+      leaf.buffer().data()[offset] = known.values[next++].phi;
     });
   });
 }
@@ -103,10 +103,10 @@ KnownCorners CornerGrid::known() const {
   known.values.resize(count);
   known.nearest.resize(count);
   parallelFor(static_cast<int>(leaves.size()), 16, [&](int l) {
-    int to = known.first[l];
+    int next = known.first[l];
     visitCorners(known.blocks[l], [&](int offset) {
-      known.values[to] = corners[place(*leaves[l], offset)];
-      known.nearest[to++] = nearest[place(*leaves[l], offset)];
+      known.values[next] = corners[place(*leaves[l], offset)];
+      known.nearest[next++] = nearest[place(*leaves[l], offset)];
     });
   });
   return known;

@@ -5,8 +5,8 @@
 //   k     number of an interpolated pose, at s = k
 //   L_k   level set of interpolated pose k; serves all s whose nearest whole number is k
 //
-// A pose that returns, in another pass or as the motion runs back, gets what its level set knew the last time, up to
-// kMaxKnownBytes for all poses.  That changes no distance: each is a function of the pose and the corner alone.
+// If a pose returns, in another pass or as the motion runs back, its level set starts from the corners that were
+// computed before; 400 MB of them are kept for all poses.  No distance changes, since it depends on pose and corner.
 //
 // prepare(k + 1) writes nothing that a user of L_k reads, so that both may run at the same time.
 #pragma once

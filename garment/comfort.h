@@ -1,4 +1,4 @@
-// Tool 4: comfort, the smallest distance that the garment keeps from the body, everywhere or by region.
+// Tool 5: comfort, the smallest distance that the garment keeps from the body, everywhere or by region.
 #pragma once
 
 #include <vector>

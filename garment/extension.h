@@ -1,4 +1,4 @@
-// Tool 2: extends a garment, for example by a skirt or a wide sleeve.  A loop is duplicated, moved along its axis,
+// Tool 3: extends a garment, for example by a skirt or a wide sleeve.  A loop is duplicated, moved along its axis,
 // scaled and joined with the garment.
 //
 //   c = sum_i l_i p_i / sum_i l_i       centre of mass of the loop, l_i half the length of its edges at vertex i

@@ -1,7 +1,7 @@
-// Closes holes of a body: eye sockets, mouths, cut wrists, what a scanner did not see.
+// Closes holes of a body mesh: eye sockets, mouths, cut wrists, places that the scanner did not see.
 //
-// A hole is closed with triangles between the vertices of its edge, of the smallest area and the least folded (Liepa
-// 2003, as CGAL has it). No vertex is added, so that all poses can be closed as the first one was.
+// A hole is closed by triangles between the vertices of its edge that fold least, and among these have the least area
+// (Liepa 2003, by CGAL). No vertex is added, so that one set of triangles closes the hole in every pose.
 #pragma once
 
 #include <string>
@@ -17,6 +17,7 @@ struct Hole {
   double width_m = 0.0;   // diagonal of the box around it
 };
 
+/// The holes of a mesh, one for each boundary loop.
 std::vector<Hole> holesOf(const TriangleMesh& mesh, const Topology& topology);
 
 /// Triangles that close the hole. Throws InputError, naming `name` and the hole's place, where none fit.

@@ -1,4 +1,4 @@
-// Tool 3: paints how much cloth the garment has in each place, as a scale factor of each triangle's rest shape.
+// Tool 4: paints how much cloth the garment has in each place, as a scale factor of each triangle's rest shape.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Extracts the part of the body around a point, up to the loops: the part that becomes cloth.
+// Tool 2: extracts the part of the body around a point, up to the loops; it becomes cloth.
 #pragma once
 
 #include <vector>

@@ -75,7 +75,7 @@ class SeamFinder {
 
   const Topology& topology() const { return topology_; }
 
-  /// Tells of a seam that later ones may begin or end on.
+  /// Adds a seam on which later seams may begin or end.
   void add(const Seam& seam) { ends_.push_back({seam.name, seam.vertices}); }
 
   SeamLine line(const SeamRequest& request) const {
@@ -103,12 +103,13 @@ class SeamFinder {
       for (size_t k = 0; k < 3; ++k) corners.push_back(nearestVertex(line.points[k * n / 3], false));
       for (size_t k = 0; k < 3; ++k) {
         const std::vector<int> part =
-            chainBetween(name, line, corners[k], corners[(k + 1) % 3], {seam.vertices, corners[(k + 2) % 3], k == 1});
+            chainBetween(name, line, corners[k], corners[(k + 1) % 3], {seam.vertices, corners[(k + 2) % 3]});
         seam.vertices.insert(seam.vertices.end(), part.begin(), part.end() - 1);
       }
     }
     removeDetours(neighbours_, seam.vertices);
-    if (seam.vertices.size() < (seam.is_closed ? 3U : 2U)) refuse(name, "too short for the size of the triangles");
+    if (seam.vertices.size() < (seam.is_closed ? 3U : 2U))
+      refuse(name, "it is shorter than a triangle's edge: expected a longer seam or smaller triangles");
     return seam;
   }
 
@@ -218,7 +219,6 @@ class SeamFinder {
   struct Taken {
     std::vector<int> chain;
     int corner = -1;
-    bool is_second = false;
   };
 
   /// Finds the cheapest chain of edges by Dijkstra's algorithm; the cost of an edge grows with its distance from the
@@ -255,7 +255,7 @@ class SeamFinder {
         front.push({next, w});
       }
     }
-    if (from == to || before[to] < 0) refuse(name, "the triangles are too large for it");
+    if (from == to || before[to] < 0) refuse(name, "no chain of edges leads along it: expected smaller triangles");
     std::vector<int> chain = {to};
     while (chain.back() != from) chain.push_back(before[chain.back()]);
     std::reverse(chain.begin(), chain.end());

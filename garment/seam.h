@@ -1,9 +1,9 @@
-// Tool 6: seams, lines along which the garment can be cut for its sewing pattern.
+// Tool 7: seams, lines along which the garment can be cut for its sewing pattern.
 //
-// A seam is requested as the shortest path from loop to loop through given points, as one that ends at its last point
-// within the garment, which makes a dart, as a closed path through points, or as a line along which a plane cuts.  It
-// becomes a chain of the mesh's edges near that line; the chain's vertices are then moved onto the line, evenly spaced,
-// and their surroundings relaxed with them.
+// A seam is requested in one of four ways: the shortest path between two loops through given points; a path from a loop
+// to its last point inside the garment (a dart); a closed path through points; or the line along which a plane cuts.
+// The seam becomes a chain of mesh edges near that line; the chain's vertices are then moved onto the line, evenly
+// spaced, and their surroundings relaxed with them.
 #pragma once
 
 #include <optional>

@@ -7,9 +7,10 @@
 
 namespace ease {
 
+/// A place on a triangle mesh: a triangle and the shares (barycentric weights, sum 1) of its three corners.
 struct SurfacePlace {
-  int triangle = -1;  // -1: the surface is further away than asked for
-  Vec3 share;         // of the triangle's corners; sum 1
+  int triangle = -1;  // -1: none
+  Vec3 share = Vec3::Zero();
 };
 
 class SurfacePlaces {

@@ -1,8 +1,7 @@
 // A picture of a body, a garment and marks that is drawn again and again: the view of an editor.
 //
 // It renders to memory without a display, on the graphics card where there is one and that is asked for, otherwise in
-// software.  Meshes keep
-// their buffers from picture to picture; only what has changed is handed over.
+// software.  Meshes keep their buffers from picture to picture; only what has changed is handed over.
 #pragma once
 
 #include <memory>

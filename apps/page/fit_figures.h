@@ -14,7 +14,7 @@ struct AreaFigures {
   double max_stretch = 0.0;       // largest principal stretch of triangles that are not crumpled
   double share_over_limit = 0.0;  // of the area's triangles
   double max_pressure_Pa = 0.0;   // on a vertex
-  double mean_distance_m = 0.0;   // to the body, over the vertices
+  double mean_distance_m = 0.0;   // to the body, over the corners of the area's triangles
   double cloth_m2 = 0.0;          // of the first rest shape
   double cloth_growth = 1.0;      // area of the rest shape over that of the first
 };

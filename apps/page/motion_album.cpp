@@ -3,6 +3,7 @@
 #include <chrono>
 #include <limits>
 
+#include "solver/base/stopwatch.h"
 #include "solver/mesh/numbering.h"
 
 namespace ease {
@@ -43,7 +44,7 @@ void fillAlbum(RunWatch& watch, const SceneInput& given, const InputNumbering& n
   album = {};
   watch.on_measured = [&album, begin = Clock::now()](const MeasuredMoment& moment) {
     album.curve.push_back(moment);
-    album.wall_s.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+    album.wall_s.push_back(secondsSince(begin));
   };
   watch.on_shown = [&album, &given, &numbering, limit, poses_only](const Snapshot& shot) {
     if (!poses_only || shot.moment.pose >= 0 || shot.moment.last)

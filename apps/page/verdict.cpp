@@ -26,7 +26,9 @@ std::string ofVerified(const Scene& scene, const Report& report) {
     words += fmt::format(", {} of them taut and not crumpled",
                          percentText(after.taut_share_over_limit / after.share_over_limit));
   words += fmt::format("; before it was let out, {}.", percentText(before.share_over_limit));
-  if (fitsInPasses(scene)) words += " The worse of the last pass and of its check counts; what follows is the check.";
+  if (fitsInPasses(scene))
+    words +=
+        " These figures are the worse of the chosen pass and its check; pictures and tables below are of the check.";
   return sentence(fits ? "good" : "fair", words);
 }
 
@@ -49,7 +51,7 @@ std::string percentText(double share) {
 std::string verdictHtml(const Scene& scene, const Report& report) {
   std::string html;
   if (!report.doubts.empty())
-    html = sentence("bad", "This result says nothing about the fit: " + escaped(report.doubts.front()) + ".");
+    html = sentence("bad", "The figures of this fit cannot be trusted: " + escaped(report.doubts.front()) + ".");
   else
     html = report.verified ? ofVerified(scene, report) : ofUnverified(scene, report);
   if (report.resumed_from_step)

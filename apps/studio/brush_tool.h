@@ -1,4 +1,4 @@
-// Tools 3 and 4 by mouse: paints how much cloth there is, or how far it keeps from the body.  A stroke is one table.
+// Tools 4 and 5 by mouse: paints how much cloth there is, or how far it keeps from the body.  A stroke is one table.
 #pragma once
 
 #include <optional>

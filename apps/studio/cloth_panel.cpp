@@ -14,7 +14,7 @@ const std::vector<ClothPanel::Entry>& ClothPanel::entries() {
   static const std::vector<Entry> kEntries = {
       {"limit", "Limit", " %", "adaption", "limit", "how far the cloth may be stretched in comfort", 1.0, 50.0, 1.0, 1,
        [](const Scene& scene) { return 100.0 * (scene.adaption ? scene.adaption->limit : AdaptionScene().limit); }},
-      {"density", "Weight", " g/m²", "material", "density", "of the cloth", 10.0, 2000.0, 10.0, 0,
+      {"density", "Weight", " g/m²", "material", "density", "mass of the cloth per area", 10.0, 2000.0, 10.0, 0,
        [](const Scene& scene) { return 1000.0 * scene.material.density; }},
       {"stretch_warp", "Stretch, warp", " N/m", "material", "stretch", "stiffness along the warp", 0.0, 1e5, 50.0, 0,
        [](const Scene& scene) { return scene.material.stretch_warp; }},
@@ -24,8 +24,8 @@ const std::vector<ClothPanel::Entry>& ClothPanel::entries() {
        [](const Scene& scene) { return scene.material.shear; }},
       {"friction", "Friction", "", "collision", "friction", "coefficient between cloth and body", 0.0, 2.0, 0.05, 2,
        [](const Scene& scene) { return scene.collision.friction; }},
-      {"resolution", "Vertices", "", "garment", "resolution", "of the garment, about; more are slower", 300.0, 40000.0,
-       500.0, 0,
+      {"resolution", "Vertices", "", "garment", "resolution",
+       "about how many the garment gets; more take longer to simulate", 300.0, 40000.0, 500.0, 0,
        [](const Scene& scene) { return scene.garment.tools ? double(scene.garment.tools->resolution) : 3000.0; }}};
   return kEntries;
 }

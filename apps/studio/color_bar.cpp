@@ -6,8 +6,11 @@ namespace ease {
 
 void drawColorBar(QPainter& painter, const QRect& area, const ShownScale& bar) {
   const int unit = painter.fontMetrics().height();
-  const QRect box(area.left() + unit, area.bottom() - 2 * unit - unit / 2, std::min(22 * unit, area.width() - 4 * unit),
-                  unit / 2 + 3);
+  // Beside the feet of a person in the middle, unless its words need more.
+  const int words = painter.fontMetrics().horizontalAdvance(QString::fromStdString(bar.label));
+  const int room = std::max(words, area.width() / 2 - 7 * unit);
+  const QRect box(area.left() + unit, area.bottom() - 2 * unit - unit / 2,
+                  std::min({22 * unit, room, area.width() - 4 * unit}), unit / 2 + 3);
   painter.fillRect(box.adjusted(-unit / 2, -unit - 6, unit / 2 + unit, 2 * unit), QColor(255, 255, 255, 200));
   const auto xOf = [&](double value) {
     return box.left() +

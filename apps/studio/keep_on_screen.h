@@ -9,6 +9,7 @@ namespace ease {
 
 /// Shrinks and moves a window that is shown until it lies on the screen with the frame around it.
 inline void keepOnScreen(QWidget& window) {
+  if (window.isMaximized() || window.isFullScreen()) return;
   const QRect room = window.screen()->availableGeometry();
   window.resize(window.size().boundedTo(room.size() - (window.frameGeometry().size() - window.size())));
   const QRect frame = window.frameGeometry();

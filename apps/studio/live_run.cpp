@@ -207,7 +207,7 @@ std::string LiveRun::changeInPlace(const MadeGarment& before) {
   }
   setPins(anchors);
   measureStretch(*cloth_, state_.positions, stretch_);
-  return "taken in";
+  return "change taken in; the simulation goes on";
 }
 
 std::string LiveRun::changeMesh(const MadeGarment& before) {
@@ -232,7 +232,7 @@ std::string LiveRun::changeMesh(const MadeGarment& before) {
   if (body_) meetBody();
   setPins({});
   measureStretch(*cloth_, state_.positions, stretch_);
-  return fmt::format("taken in: {:.0f} % of the new garment goes on where the old one was",
+  return fmt::format("change taken in: {:.0f} % of the new garment goes on from where the old one was",
                      100.0 * static_cast<double>(carried.tied) / static_cast<double>(mesh.positions.rows()));
 }
 

@@ -1,4 +1,4 @@
-// ease-studio [SCENE]: makes, changes and fits a garment by hand.  Without a scene it begins with the built-in body.
+// ease-studio [SCENE]: makes, changes and fits a garment by hand.
 #include <QApplication>
 #include <QTimer>
 #include <cstdio>
@@ -10,9 +10,10 @@
 
 int main(int argc, char** argv) {
   constexpr const char* kUsage =
-      "usage: ease-studio [SCENE]\n"
-      "  SCENE   scene file (TOML), also of a garment that is not finished; without one a new scene is begun on the\n"
-      "          built-in body, which is saved as studio.toml\n";
+      "usage: ease-studio [SCENE | --help | --version]\n"
+      "  SCENE   scene file (TOML); the garment may be unfinished. Without SCENE, studio.toml in this folder is "
+      "opened;\n"
+      "          where there is none, a new scene on the built-in body is begun under that name\n";
   for (int k = 1; k < argc; ++k) {
     if (!std::strcmp(argv[k], "--help") || !std::strcmp(argv[k], "-h")) return std::fputs(kUsage, stdout), 0;
     if (!std::strcmp(argv[k], "--version")) return std::puts("ease-studio " EASE_VERSION), 0;
@@ -27,7 +28,7 @@ int main(int argc, char** argv) {
         is_new && !std::filesystem::exists(file) ? ease::Document::builtin(file) : ease::Document::open(file);
     auto* window = new ease::MainWindow(std::move(document));
     window->setAttribute(Qt::WA_DeleteOnClose);
-    window->show();
+    window->showAsBefore();
     QTimer::singleShot(100, window, [window] {  // once the frame around it is known
       ease::keepOnScreen(*window);
       window->offerUnsavedWork();

@@ -37,7 +37,7 @@ MainWindow::MainWindow(Document document) {
   way_ = new QProgressBar;
   way_->setRange(0, 100);
   way_->setFixedWidth(8 * fontMetrics().height());
-  way_->setFormat("pose %p %");
+  way_->setFormat("to the pose: %p %");
   statusBar()->addWidget(status_, 1);
   statusBar()->addPermanentWidget(way_);
   studio_ = std::make_unique<Studio>(std::move(document));
@@ -73,12 +73,17 @@ MainWindow::~MainWindow() {
   timer_.stop();
 }
 
+void MainWindow::showAsBefore() {
+  restoreGeometry(QSettings("ease", "studio").value("geometry").toByteArray());
+  show();
+}
+
 void MainWindow::chooseTool(PartKind kind) {
-  tool_kind_ = kind;
   view_->setTool(nullptr);
   tool_ = makeTool(kind, *studio_);
   view_->setTool(tool_.get());
   tool_panel_->setTool(kind);
+  tool_dock_->setWindowTitle(QString("Tool: ") + textOf(kind).name);
   tools_->actions()[static_cast<int>(kind)]->setChecked(true);
   studio_->say(tool_->hint());
   sync();
@@ -240,7 +245,7 @@ bool MainWindow::replaceBy(const std::function<Document()>& read, bool asks) {
   try {
     auto* window = new MainWindow(read());
     window->setAttribute(Qt::WA_DeleteOnClose);
-    window->setGeometry(geometry());
+    window->restoreGeometry(saveGeometry());
     window->show();
     if (asks) window->offerUnsavedWork();
     studio_->document().discardUnsaved();
@@ -278,7 +283,10 @@ void MainWindow::offerUnsavedWork() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (asks_ && !(mayDropWork() && mayEndRun())) return event->ignore();
-  if (asks_) studio_->document().discardUnsaved();
+  if (asks_) {  // this window is not replaced by another
+    studio_->document().discardUnsaved();
+    QSettings("ease", "studio").setValue("geometry", saveGeometry());
+  }
   event->accept();
 }
 

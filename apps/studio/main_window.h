@@ -31,6 +31,8 @@ class MainWindow : public QMainWindow {
   Studio& studio() { return *studio_; }
   ViewWidget& view() { return *view_; }
   Tool& tool() { return *tool_; }
+  /// Shows the window where, and as large as, the last one was when it was closed.
+  void showAsBefore();
   void chooseTool(PartKind kind);
   /// Takes what the other threads have finished, and shows what is new.
   void sync();
@@ -87,11 +89,11 @@ class MainWindow : public QMainWindow {
 
   std::unique_ptr<Studio> studio_;
   std::unique_ptr<Tool> tool_;
-  PartKind tool_kind_ = PartKind::boundary;
   QWidget* centre_ = nullptr;
   ViewWidget *view_ = nullptr, *other_ = nullptr;
   PatternView* pattern_ = nullptr;
   ToolPanel* tool_panel_ = nullptr;
+  QDockWidget* tool_dock_ = nullptr;
   ClothPanel* cloth_panel_ = nullptr;
   PartsTree* parts_ = nullptr;
   QListWidget* poses_ = nullptr;

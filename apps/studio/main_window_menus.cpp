@@ -17,12 +17,16 @@ QDockWidget* MainWindow::addDock(const QString& title, QWidget* content) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(title);
   dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-  auto* scroll = new QScrollArea;  // so that the window may be lower than what all docks want
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
-  dock->setWidget(scroll);
+  if (qobject_cast<QAbstractScrollArea*>(content)) {
+    dock->setWidget(content);
+  } else {
+    auto* scroll = new QScrollArea;  // so that the window may be lower than what all docks want
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+    dock->setWidget(scroll);
+  }
   addDockWidget(Qt::RightDockWidgetArea, dock);
   return dock;
 }
@@ -64,7 +68,7 @@ void MainWindow::makeDocks() {
   cloth_panel_ = new ClothPanel(*studio_);
   connect(cloth_panel_, &ClothPanel::used, this, [this] { sync(); });
   scene_text_ = new ScenePanel;
-  QDockWidget* tool = addDock("Tool", tool_panel_);
+  tool_dock_ = addDock("Tool", tool_panel_);
   QDockWidget* parts = addDock("Garment", parts_);
   QDockWidget* poses = addDock("Poses", poses_);
   QDockWidget* report = addDock("Report", measured);
@@ -74,15 +78,15 @@ void MainWindow::makeDocks() {
   tabifyDockWidget(cloth, scene);
   report->raise();
   const int line = fontMetrics().height();
-  constexpr int kLargeText = 23;  // pixels a line: with more, five docks are too many for 800 pixels
+  constexpr int kLargeText = 20;  // pixels a line: with more, five docks are too many for 800 pixels
   if (line > kLargeText) {
     tabifyDockWidget(parts, poses);
     parts->raise();
-    resizeDocks({tool, parts, report}, {7 * line, 7 * line, 10 * line}, Qt::Vertical);
+    resizeDocks({tool_dock_, parts, report}, {7 * line, 7 * line, 10 * line}, Qt::Vertical);
   } else {
-    resizeDocks({tool, parts, poses, report}, {7 * line, 8 * line, 6 * line, 13 * line}, Qt::Vertical);
+    resizeDocks({tool_dock_, parts, poses, report}, {7 * line, 8 * line, 6 * line, 13 * line}, Qt::Vertical);
   }
-  resizeDocks({tool}, {15 * line}, Qt::Horizontal);
+  resizeDocks({tool_dock_}, {15 * line}, Qt::Horizontal);
 }
 
 QAction* MainWindow::add(QMenu* menu, const QString& text, const QString& keys, const QString& tip,
@@ -133,7 +137,7 @@ void MainWindow::makeEditMenu() {
   QMenu* menu = menuBar()->addMenu("&Edit");
   undo_ = add(menu, "&Undo", "Ctrl+Z", "Takes the last gesture back, or the last point of a line that is being drawn",
               [this] { tool_->isDrawing() ? tool_->back() : studio_->undo(); });
-  redo_ = add(menu, "&Redo", "Ctrl+Shift+Z Ctrl+Y", "Does it again", [this] { studio_->redo(); });
+  redo_ = add(menu, "&Redo", "Ctrl+Shift+Z Ctrl+Y", "Does the undone gesture again", [this] { studio_->redo(); });
   menu->addSeparator();
   add(menu, "&Close the line", "", "Closes the boundary or seam that is being drawn (Enter)",
       [this] { tool_->finish(); });
@@ -150,7 +154,8 @@ void MainWindow::makeViewMenu() {
   add(menu, "&Back", "Ctrl+2", "From behind", [this] { look(180, 5); });
   add(menu, "&Left", "Ctrl+3", "From the wearer's left", [this] { look(90, 5); });
   add(menu, "&Right", "Ctrl+4", "From the wearer's right", [this] { look(-90, 5); });
-  add(menu, "Fra&me", "F", "Shows all of it, or of the garment where a part is selected", [this] { frameView(); });
+  add(menu, "Fra&me", "F", "Fits the whole body into the view, or the garment where a part is selected",
+      [this] { frameView(); });
   menu->addSeparator();
   QMenu* colors = menu->addMenu("&Colour");
   shown_ = new QActionGroup(this);
@@ -257,7 +262,7 @@ void MainWindow::makeSettingsMenu() {
   const std::pair<const char*, Navigation> kinds[] = {
       {"Mouse as in CLO: right button turns, middle moves", Navigation::clo},
       {"Mouse as in Blender: middle button turns, Shift moves", Navigation::blender},
-      {"Mouse as in ParaView: left button turns where no tool acts", Navigation::paraview}};
+      {"Mouse as in ParaView: left button turns beside body and cloth", Navigation::paraview}};
   const int chosen = QSettings("ease", "studio").value("navigation", 0).toInt();
   for (const auto& [name, navigation] : kinds) {
     QAction* action = menu->addAction(name);

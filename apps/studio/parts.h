@@ -54,8 +54,8 @@ std::string without(const std::string& text, const Part& part);
 /// Renames a boundary wherever it is named, or a seam.
 std::string renamed(const std::string& text, const Scene& scene, const Part& part, const std::string& name);
 
-/// The texts of two scenes make the same mesh: they differ at most in paint, pins, comfort and tables that do not
-/// belong to garment or body.
+/// The part of a scene's text that decides the mesh of its garment: [body], [garment] without paint and pins, and the
+/// comfort offset.  Two scenes with equal keys make the same mesh.
 std::string meshKey(const std::string& text);
 
 }  // namespace ease

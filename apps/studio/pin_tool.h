@@ -1,4 +1,4 @@
-// Tool 5 by mouse: what follows the body: a whole edge of the garment, or the cloth within a ball.
+// Tool 6 by mouse: pins an edge of the garment, or the cloth within a ball, to the body.
 #pragma once
 
 #include <optional>

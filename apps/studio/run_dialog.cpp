@@ -162,7 +162,8 @@ QString RunDialog::wordsOfResult() const {
   if (commands_.front() == "run" && share("before") >= 0.0 && share("after") >= 0.0)
     text += "\nTriangles over the limit at the worst moment: " + percent(share("before")) + " before, " +
             percent(share("after")) + " after";
-  for (const QJsonValue& doubt : report["doubts"].toArray()) text += "\nThe figures say nothing: " + doubt.toString();
+  for (const QJsonValue& doubt : report["doubts"].toArray())
+    text += "\nThe figures cannot be trusted: " + doubt.toString();
   const QJsonArray warnings =
       (commands_.front() == "run" ? report : report["pattern"].toObject())["warnings"].toArray();
   for (int k = 0; k < std::min<int>(warnings.size(), kMaxWarnings); ++k) text += "\nWarning: " + warnings[k].toString();

@@ -1,4 +1,4 @@
-// Tool 6 by mouse: lines for the sewing pattern, from edge to edge by way of points, or closed.
+// Tool 7 by mouse: lines for the sewing pattern, from edge to edge by way of points, or closed.
 #pragma once
 
 #include <optional>

@@ -34,7 +34,7 @@ std::optional<Hit> hitOn(const Ray& ray, const Positions& shown, const Triangles
 
 Vec3 placeOn(const SurfacePlace& place, const Positions& positions, const Triangles& triangles) {
   Vec3 point = Vec3::Zero();
-  for (int k = 0; k < 3; ++k) point += place.weights[k] * positions.row(triangles(place.triangle, k)).transpose();
+  for (int k = 0; k < 3; ++k) point += place.share[k] * positions.row(triangles(place.triangle, k)).transpose();
   return point;
 }
 

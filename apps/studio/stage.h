@@ -9,15 +9,10 @@
 #include <vector>
 
 #include "apps/studio/garment_maker.h"
+#include "garment/surface_place.h"
 #include "viz/camera.h"
 
 namespace ease {
-
-/// A place on a mesh.
-struct SurfacePlace {
-  int triangle = -1;
-  Vec3 weights = Vec3::Zero();
-};
 
 /// Where the place is when the mesh's vertices are there, m.
 Vec3 placeOn(const SurfacePlace& place, const Positions& positions, const Triangles& triangles);

@@ -50,14 +50,14 @@ void Studio::refuse(const std::string& why) {
   is_refusal_ = true;
 }
 
-bool Studio::isBusy() {
+bool Studio::refuseWhileMaking() {
   if (!isMaking()) return false;
   refuse("the garment is still being made: wait a moment, then try again");
   return true;
 }
 
 bool Studio::gesture(const std::string& text, const std::string& name) {
-  if (isBusy()) return false;
+  if (refuseWhileMaking()) return false;
   try {
     document_.apply(text, name);
   } catch (const InputError& error) {
@@ -70,8 +70,7 @@ bool Studio::gesture(const std::string& text, const std::string& name) {
   return true;
 }
 
-/// Waits for the garment that is being made; returns whether it could be made.
-bool Studio::lastWasTaken() {
+bool Studio::finishMaking() {
   if (!isMaking()) return true;
   say("");
   takeMade();
@@ -79,7 +78,7 @@ bool Studio::lastWasTaken() {
 }
 
 void Studio::undo() {
-  if (!lastWasTaken()) return;
+  if (!finishMaking()) return;
   const std::string gesture = document_.undo();
   if (gesture.empty()) return refuse("nothing to undo");
   ++text_revision_;
@@ -88,11 +87,11 @@ void Studio::undo() {
 }
 
 void Studio::redo() {
-  if (!lastWasTaken()) return;
+  if (!finishMaking()) return;
   const std::string gesture = document_.redo();
-  if (gesture.empty()) return refuse("nothing to do again");
+  if (gesture.empty()) return refuse("nothing to redo");
   ++text_revision_;
-  say("done again: " + gesture);
+  say("redone: " + gesture);
   startMaking(false);
 }
 

@@ -91,8 +91,10 @@ class Studio {
   void takeMade();
   void showMade();
   void putOnStage(LiveFrame frame);
-  bool isBusy();
-  bool lastWasTaken();
+  /// Refuses a gesture while the garment is being made; returns whether it did.
+  bool refuseWhileMaking();
+  /// Waits for the garment that is being made; returns whether it could be made.
+  bool finishMaking();
 
   const std::function<void()> on_news_;
   Document document_;
@@ -108,7 +110,6 @@ class Studio {
   bool is_refusal_ = false;
   std::unique_ptr<Simulation> simulation_;
   std::optional<LiveFrame> frame_;
-  std::shared_ptr<const MadeGarment> on_stage_;
   bool adapts_ = false;
   int pose_ = 0, text_revision_ = 0, mesh_revision_ = 0;
 };

@@ -71,23 +71,25 @@ bool onOneSide(const std::vector<Vec3>& points) {
          (std::all_of(points.begin(), points.end(), left) || std::all_of(points.begin(), points.end(), right));
 }
 
-void addPartMarks(const Studio& studio, const Part* selected, Marks& marks) {
-  const auto isSelected = [&](PartKind kind, size_t k) {
-    return selected && selected->kind == kind && selected->number == static_cast<int>(k);
-  };
-  const Stage& stage = studio.stage;
-  if (!stage.hasCloth()) {
-    if (!studio.made()) return;
-    for (size_t k = 0; k < studio.made()->loops.size(); ++k) {
-      const EdgeCurve& curve = studio.made()->loops[k].curve;
-      if (!curve.points.empty())
-        marks.lines.push_back({placed(curve, stage.body()), true,
-                               isSelected(PartKind::boundary, k) ? kHoverColor : kLoopColor,
-                               isSelected(PartKind::boundary, k) ? 6.0 : 3.0});
-    }
-    return;
+namespace {
+
+bool isSelected(const Part* selected, PartKind kind, size_t number) {
+  return selected && selected->kind == kind && selected->number == static_cast<int>(number);
+}
+
+/// The boundaries on the body, of a scene that has no garment yet.
+void addBoundaryMarks(const Studio& studio, const Part* selected, Marks& marks) {
+  for (size_t k = 0; k < studio.made()->loops.size(); ++k) {
+    const EdgeCurve& curve = studio.made()->loops[k].curve;
+    const bool is_lit = isSelected(selected, PartKind::boundary, k);
+    if (!curve.points.empty())
+      marks.lines.push_back(
+          {placed(curve, studio.stage.body()), true, is_lit ? kHoverColor : kLoopColor, is_lit ? 6.0 : 3.0});
   }
-  const MadeGarment& made = stage.made();
+}
+
+/// The edges of the garment: those that are pinned, and the one of the selected boundary or extension, stand out.
+void addEdgeMarks(const MadeGarment& made, const Positions& cloth, const Part* selected, Marks& marks) {
   const std::vector<PinScene>& pins = made.scene.garment.pins;
   const auto isPinned = [&](const std::string& loop) {
     return std::any_of(pins.begin(), pins.end(), [&](const PinScene& pin) {
@@ -104,36 +106,52 @@ void addPartMarks(const Studio& studio, const Part* selected, Marks& marks) {
     return false;
   };
   for (const NamedLoop& edge : made.edges)
-    marks.lines.push_back({positionsOf(edge.vertices, stage.cloth()), true,
+    marks.lines.push_back({positionsOf(edge.vertices, cloth), true,
                            isLit(edge.name)      ? kHoverColor
                            : isPinned(edge.name) ? kPinColor
                                                  : kLoopColor,
                            isLit(edge.name) ? 7.0 : 3.0});
+}
+
+/// The strokes of the selected paint or comfort.
+void addStrokeMarks(const Stage& stage, PartKind kind, const std::vector<Brush>& strokes, const Part* selected,
+                    Marks& marks) {
+  const TriangleMesh& mesh = stage.clothAsMade();
+  for (size_t k = 0; k < strokes.size(); ++k) {
+    if (!isSelected(selected, kind, k)) continue;
+    std::vector<Vec3> line = strokes[k].stroke;
+    if (line.empty()) line.push_back(strokes[k].at);
+    for (Vec3& x : line) x = placeOn(nearestPlace(x, mesh.positions, mesh.triangles), stage.cloth(), mesh.triangles);
+    for (const Vec3& x : line) marks.dots.push_back({x, kHoverColor});
+    marks.lines.push_back({line, false, kHoverColor, 4.0});
+  }
+}
+
+}  // namespace
+
+void addPartMarks(const Studio& studio, const Part* selected, Marks& marks) {
+  const Stage& stage = studio.stage;
+  if (!stage.hasCloth()) {
+    if (studio.made()) addBoundaryMarks(studio, selected, marks);
+    return;
+  }
+  const MadeGarment& made = stage.made();
+  addEdgeMarks(made, stage.cloth(), selected, marks);
   if (made.input.authored)
     for (size_t k = 0; k < made.input.authored->seams.size(); ++k) {
       const Seam& seam = made.input.authored->seams[k];
-      const bool is_lit = isSelected(PartKind::seam, k);
+      const bool is_lit = isSelected(selected, PartKind::seam, k);
       marks.lines.push_back({positionsOf(seam.vertices, stage.cloth()), seam.is_closed,
                              is_lit ? kHoverColor : kSeamColor, is_lit ? 6.0 : 3.0});
     }
+  const std::vector<PinScene>& pins = made.scene.garment.pins;
   for (size_t k = 0; k < pins.size(); ++k) {
     if (!std::holds_alternative<Brush>(pins[k].what)) continue;
     for (const int v : made.input.pins[k])
-      marks.dots.push_back({stage.cloth().row(v), isSelected(PartKind::pin, k) ? kHoverColor : kPinColor});
+      marks.dots.push_back({stage.cloth().row(v), isSelected(selected, PartKind::pin, k) ? kHoverColor : kPinColor});
   }
-  const auto brushes = [&](PartKind kind, const std::vector<Brush>& strokes) {
-    for (size_t k = 0; k < strokes.size(); ++k) {
-      if (!isSelected(kind, k)) continue;
-      std::vector<Vec3> line = strokes[k].stroke;
-      if (line.empty()) line.push_back(strokes[k].at);
-      const TriangleMesh& mesh = made.input.garment;
-      for (Vec3& x : line) x = placeOn(nearestPlace(x, mesh.positions, mesh.triangles), stage.cloth(), mesh.triangles);
-      for (const Vec3& x : line) marks.dots.push_back({x, kHoverColor});
-      marks.lines.push_back({line, false, kHoverColor, 4.0});
-    }
-  };
-  brushes(PartKind::paint, made.scene.garment.paint);
-  brushes(PartKind::comfort, made.scene.garment.comfort_regions);
+  addStrokeMarks(stage, PartKind::paint, made.scene.garment.paint, selected, marks);
+  addStrokeMarks(stage, PartKind::comfort, made.scene.garment.comfort_regions, selected, marks);
 }
 
 }  // namespace ease

@@ -9,20 +9,15 @@ namespace ease {
 
 ToolPanel::ToolPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
   auto* column = new QVBoxLayout(this);
-  name_ = new QLabel;
-  QFont bold = name_->font();
-  bold.setBold(true);
-  name_->setFont(bold);
   does_ = new QLabel;
   does_->setWordWrap(true);
   form_ = new QFormLayout;
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  column->addWidget(name_);
-  column->addWidget(does_);
   column->addLayout(form_);
+  column->addWidget(does_);
   column->addStretch();
-  radius_ =
-      addNumber("radius", "Radius", " cm", 0.0, 100.0, 1.0, "of the brush: in full within half of it, then fading");
+  radius_ = addNumber("radius", "Radius", " cm", 0.0, 100.0, 1.0,
+                      "radius of the brush: full strength within half of it, then fading");
   scale_ =
       addNumber("scale", "Cloth", " times", 1.01, 2.0, 0.01, "how many times as long the cloth is under the brush");
   offset_ = addNumber("offset", "Distance", " mm", 0.0, 100.0, 1.0, "least distance from the body under the brush");
@@ -59,7 +54,6 @@ QDoubleSpinBox* ToolPanel::addNumber(const char* name, const QString& label, con
 }
 
 void ToolPanel::setTool(PartKind kind) {
-  name_->setText(textOf(kind).name);
   does_->setText(textOf(kind).does);
   const auto show = [this](QWidget* box, bool is_used) {
     box->setVisible(is_used);

@@ -31,7 +31,7 @@ class ToolPanel : public QWidget {
 
   Studio& studio_;
   QFormLayout* form_;
-  QLabel *name_, *does_;
+  QLabel* does_;
   QDoubleSpinBox *radius_, *scale_, *offset_;
   QCheckBox* mirror_;
 };

@@ -7,12 +7,12 @@ namespace ease {
 
 namespace {
 
-constexpr double kReach = 0.2;  // m: what lies further from the middle moves along and keeps its size
-constexpr double kKeeps = 0.3;  // m: from here on the arms keep their depth
-constexpr double kKnee = 0.55, kShoulders = 1.44;  // m: heights below and above which the scale fades to 1
-constexpr double kHead = 1.52;                     // m
-constexpr double kNarrowest = 0.75, kWidest = 1.45;
-constexpr double kSmallest = 0.8, kTallest = 2.3;  // m, of heights
+constexpr double kReach = 0.2;  // m from the plane x = 0: points beyond are shifted sideways, not scaled in x
+constexpr double kKeeps = 0.3;  // m from that plane: points beyond are not scaled in z either
+constexpr double kKnee = 0.55, kShoulders = 1.44;    // m: heights below and above which the scale fades to 1
+constexpr double kHead = 1.52;                       // m
+constexpr double kNarrowest = 0.75, kWidest = 1.45;  // allowed girths over the mannequin's at the same height
+constexpr double kSmallest = 0.8, kTallest = 2.3;    // allowed heights, m
 
 /// From 0 at `from` to 1 at `to`, with no slope at either.
 double smoothStep(double from, double to, double x) {

@@ -17,7 +17,7 @@
 
 namespace ease {
 
-/// Measures of a person, m; those that are left out are the mannequin's, at its height scaled with it.
+/// Measures of a person, m. A girth that is not given is the mannequin's, scaled with the height.
 struct BodyMeasures {
   std::optional<double> height, chest, waist, hips;
 };
@@ -37,7 +37,7 @@ class BodySize {
   /// The least by which a distance is scaled, H included.
   double minScale() const;
 
-  /// What "height", "chest", "waist" or "hips" may be beside the other measures.
+  /// Allowed range of "height", "chest", "waist" or "hips", m, beside the other measures.
   static MeasureRange range(const BodyMeasures& measures, const std::string& name);
 
   /// The mannequin's own measures, m: with a tape around, so that hollows are bridged.

@@ -10,7 +10,6 @@ namespace mannequin_joints {
 inline const Vec3 kClavicle{0.02, 1.395, 0.0};
 inline const Vec3 kShoulder{0.17, 1.385, -0.01};
 inline const Vec3 kElbow{0.435, 1.385, -0.01};
-inline const Vec3 kWrist{0.675, 1.385, 0.0};
 }  // namespace mannequin_joints
 
 /// Signed distance to the mannequin's T-pose, m, negative inside.  Outside it is a lower bound of the true distance,

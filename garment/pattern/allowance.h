@@ -7,9 +7,8 @@
 //           B  \     \.
 //
 //   mitre        A' and B' go on until they meet, at most kMitre widths from C; beyond that the corner is cut off
-//   mirror       A' ends at Q, then by way of P to B': folded over along A, the allowance of A ends on the cut line of
-//   B
-//                and neither sticks out beyond it nor is too short
+//   mirror       A' ends at Q, then goes by way of P to B': folded along A, the allowance of A ends exactly on the cut
+//                line of B
 //   two mirrors  both, where the corner is sharp and it does not matter which seam is pressed first
 //   step         where edges of different widths meet with hardly a corner, such as a bound neck and a shoulder
 //   dart         its legs have none; the cut line runs across the mouth as a roof, which lies on the cut line of the

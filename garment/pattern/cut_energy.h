@@ -1,8 +1,9 @@
 // What a division of the garment into regions costs: length of its lines, and how far its pieces are from flat.
 //
-//   -Laplace u = -G in every region, u = 0 on its border     logarithm of the scale by which a conformal map flattens
-//   it E = 2 w_l |lines| / L  +  1000 w_d integral of u^2 / L^2     L: side of a square as large as the garment
-//   -Laplace p = -2000 w_d u / L^2, p = 0 on the border          adjoint
+//   -Laplace u = -G in every region, u = 0 on its border      u: logarithm of the scale of the conformal flattening
+//   E = 2 w_l |lines| / L + c integral of u^2                 L, m: side of a square as large as the garment
+//   c = 1000 w_d / L^2
+//   -Laplace p = -2 c u, p = 0 on the border                  p: adjoint
 //
 // After Sharp and Crane 2018, "Variational surface cutting", whose weights these are; |u| is the strain of the map.
 // Linear elements on the cells into which the lines divide the triangles (region_cells.h).  Only vertices of the mesh
@@ -37,8 +38,6 @@ class CutEnergy {
   /// Derivative by the levels last evaluated, ordered as phi.
   std::vector<double> derivative();
 
-  /// u of the levels last evaluated, by vertex.
-  const std::vector<double>& logScale() const { return u_; }
   double distortion() const { return distortion_; }  // its part of the energy, weighted
   double length() const { return length_; }          // of the lines, m
 

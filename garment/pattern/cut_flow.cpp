@@ -110,6 +110,22 @@ std::optional<RegionLevels> joined(const RestSurface& surface, const RegionLevel
   return best;
 }
 
+/// Halves `alpha` until the levels phi - alpha direction lower the energy from `now` enough (Armijo's condition), and
+/// writes them to `next`.  Returns the energy reached; nothing where no step is short enough.
+std::optional<double> searchAlong(const std::vector<double>& direction, double slope, double now,
+                                  const RegionLevels& levels, CutEnergy& energy, const MirrorLevels* mirror,
+                                  double& alpha, RegionLevels& next) {
+  next = levels;
+  for (int halving = 0; halving <= kHalvings; ++halving) {
+    if (halving > 0) alpha *= 0.5;
+    for (size_t i = 0; i < next.phi.size(); ++i) next.phi[i] = levels.phi[i] - alpha * direction[i];
+    if (mirror) (*mirror)(next);
+    const double reached = energy(next);
+    if (reached < now && reached <= now - kArmijo * alpha * slope) return reached;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, const FlowSettings& settings,
@@ -149,17 +165,9 @@ FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, con
     if (!(most > 0.0) || !(slope > 0.0)) break;
     const double bound = kFurthest * surface.side / most;
     alpha = alpha > 0.0 ? std::min(kGrowth * alpha, bound) : bound;
-    RegionLevels next = result.levels;
-    double reached = now;
-    bool is_taken = false;
-    for (int halving = 0; halving <= kHalvings && !is_taken; ++halving) {
-      if (halving > 0) alpha *= 0.5;
-      for (size_t i = 0; i < next.phi.size(); ++i) next.phi[i] = result.levels.phi[i] - alpha * direction[i];
-      if (mirror) (*mirror)(next);
-      reached = energy(next);
-      is_taken = reached < now && reached <= now - kArmijo * alpha * slope;
-    }
-    if (!is_taken) {
+    RegionLevels next;
+    std::optional<double> reached = searchAlong(direction, slope, now, result.levels, energy, mirror, alpha, next);
+    if (!reached) {
       if (!join()) break;
       continue;
     }
@@ -172,7 +180,7 @@ FlowResult followFlow(const RestSurface& surface, const RegionLevels& start, con
     } else {
       energy(next);  // whose derivative is asked for next
     }
-    result.energies.push_back(reached);
+    result.energies.push_back(*reached);
   }
   return result;
 }

@@ -1,5 +1,5 @@
 // A pattern as DXF in the form of the apparel industry (AAMA, later ASTM D6673), AutoCAD R12, always in millimetres:
-// one block a piece, inserted once.  Layers are numbers:
+// one block per piece, inserted once.  Layers are numbers:
 //
 //    1  cut line, texts   2  corners of the cut line   3  its other points   4  notches   7  grain   8  inner lines
 //   13  drill holes      14  sew line                 15  words
@@ -11,6 +11,7 @@
 
 namespace ease {
 
+/// The text of the DXF file.
 std::string dxfText(const Drawing& drawing);
 
 }  // namespace ease

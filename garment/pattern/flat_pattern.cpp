@@ -23,7 +23,7 @@ constexpr double kSoftest = 0.06;
 constexpr double kRoom = 0.85;   // of the limit of shear, up to which a piece may shear then
 constexpr double kSlowness = 4;  // shear at 99 % goes with about the fourth root of 1 / stiffness
 
-constexpr const char* kOwn = ": give a seam of your own if it is to be elsewhere";
+constexpr const char* kOwn = "; to choose the place, add a [[garment.seam]] there";
 
 // Darts are found along the mesh's edges, whose teeth give way where a straight line does not: once the lines slid,
 // pieces may be over the limits again, and one more dart is looked for.
@@ -224,7 +224,8 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   size_t mended = pattern.lines.size();
   std::vector<std::string> warnings;
   for (size_t l = given.seams.size(); l < asked; ++l)
-    warnings.push_back(fmt::format("a piece is no disk and was opened along '{}'{}", pattern.lines[l].seam.name, kOwn));
+    warnings.push_back(
+        fmt::format("a piece had a hole and was cut open along '{}'{}", pattern.lines[l].seam.name, kOwn));
   for (size_t l = asked; l < mended; ++l)
     warnings.push_back(fmt::format("a piece overlapped itself when flat and was cut in two along '{}'{}",
                                    pattern.lines[l].seam.name, kOwn));
@@ -249,7 +250,7 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
   for (int l = dartToLeaveOut(pattern, mended); l >= 0; l = dartToLeaveOut(pattern, mended)) {
     if (l < static_cast<int>(mended)) {
       warnings.push_back(
-          fmt::format("the dart '{}' takes in no cloth on the paper, or leads across a seam, and was left out",
+          fmt::format("the dart '{}' was left out: its legs do not open on the paper, or it leads across a seam",
                       pattern.lines[l].seam.name));
       pattern.lines.erase(pattern.lines.begin() + l);
       --mended;
@@ -261,8 +262,8 @@ FlatPattern flattenGarment(const RestGarment& given, const FlatSettings& setting
     flattenAlongLines(pieces, grain, settings, pattern);
   }
   if (left_out > 0)
-    warnings.push_back(
-        fmt::format("darts that would not open on the paper were left out: {}, give a seam there", left_out));
+    warnings.push_back(fmt::format(
+        "darts that would not open on the paper were left out: {}; add a [[garment.seam]] there", left_out));
   pattern.warnings.insert(pattern.warnings.end(), warnings.begin(), warnings.end());
   return pattern;
 }

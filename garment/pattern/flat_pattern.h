@@ -31,7 +31,7 @@ struct FlatSettings {
   WovenSettings woven;
   int max_darts = 12;
   bool free_grain = false;                                  // turn each piece's grain to where threads stretch least
-  double widest = std::numeric_limits<double>::infinity();  // m: of a piece across its grain, where that is free
+  double widest = std::numeric_limits<double>::infinity();  // m: width that a turned grain may give a piece
   std::vector<PieceName> names;
 };
 
@@ -40,7 +40,7 @@ struct FlatPiece {
   StrainSummary strain;
   int darts = 0;
   double grain = 0.0;        // rad, from the garment's warp to the piece's, counter-clockwise seen from outside
-  bool upside_down = false;  // whether the warp points up the wearer's body
+  bool upside_down = false;  // whether the warp points up the wearer's body; usually it points down
   bool crosses_itself = false;
 };
 
@@ -76,8 +76,9 @@ FlatPattern flattenGarment(const RestGarment& garment, const FlatSettings& setti
 /// The stiffness in shear that spares the threads of a piece with this strain and keeps it below the limit of shear.
 double softerShear(const StrainSummary& strain, const FlatSettings& settings);
 
-/// Flattens the same pieces for another rest shape, from where they are, with a weight of cloth that is too large for
-/// every triangle.  Their strain stays that of the first one, their area becomes that of the new rest shape.
+/// Flattens the pieces again for another rest shape, starting from where they lie.  `excess_of_triangle`: for every
+/// triangle the weight of cloth larger than at rest (flattening.h); empty: that of the settings.  The strains stay
+/// those of `pattern`; areas and flips are those of the new rest shape.
 FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& rest_edges, const FlatSettings& settings,
                          const std::vector<double>& excess_of_triangle = {});
 

@@ -17,11 +17,10 @@
 // well (the alternating direction method of multipliers, Boyd et al. 2011), so that in the end the lengths are equal
 // however soft the springs are.
 //
-// Pieces can be let out (`excess` < 1): cloth that is larger on the paper than at rest, in any direction, costs that
-// share of what cloth costs that is too small,
+// Pieces can be let out.  `excess`, 0 to 1, is the weight of cloth that is larger on the paper than at rest, over that
+// of cloth that is smaller; with the eigenvalues s_1, s_2 of S,
 //
-//   E = excess * (E above) + (1 - excess) sum_t a_t [min(0, s_1 - 1)^2 + min(0, s_2 - 1)^2],   s_1, s_2 eigenvalues of
-//   S
+//   E_out = excess E + (1 - excess) sum_t a_t [min(0, s_1 - 1)^2 + min(0, s_2 - 1)^2]
 //
 // Nothing in that keeps triangles from flipping.  Pieces with a flipped triangle are flattened again from a convex
 // start, with a barrier and steps that end before a triangle flips (Smith and Schaefer 2015); they are counted.
@@ -54,8 +53,8 @@ struct Flattened {
 };
 
 /// Flattens all pieces together.  `start`: positions to begin from; null: conformal ones.  `shear_of_piece`: a
-/// stiffness in shear for every piece; `excess_of_triangle`: a weight of cloth that is too large for every triangle;
-/// empty: those of the settings.
+/// stiffness in shear for every piece; `excess_of_triangle`: for every triangle the weight of cloth larger than at
+/// rest; empty: those of the settings.
 Flattened flatten(const FlatPieces& pieces, const std::vector<SewnPair>& pairs, const WovenSettings& settings,
                   const Positions* start = nullptr, const std::vector<double>& shear_of_piece = {},
                   const std::vector<double>& excess_of_triangle = {});

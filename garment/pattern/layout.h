@@ -19,8 +19,8 @@ struct Layout {
   double width = 0.0, length = 0.0;  // mm, that are used
 };
 
-/// Lays out pieces.  `gap`: least distance of cut lines, mm.  Throws InputError naming a piece that is wider than the
-/// cloth.
+/// Lays out pieces on cloth whose usable width is `cloth_width`, mm.  `gap`: least distance of cut lines, mm.  Throws
+/// InputError naming a piece that is wider than the cloth.
 Layout layOut(const std::vector<DrawnPiece>& pieces, double cloth_width, double gap);
 
 }  // namespace ease

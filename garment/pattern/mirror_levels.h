@@ -11,13 +11,15 @@ class MirrorLevels {
   /// they are, as where a garment has one sleeve only.
   MirrorLevels(const RestSurface& surface, double plane, double reach);
 
+  /// Replaces the levels of the right side by those at the mirrored places on the left.
   void operator()(RegionLevels& levels) const;
 
   /// The derivative of an energy of mirrored levels, by the left ones, from that by all levels, both ordered as phi.
   void gather(int labels, std::vector<double>& derivative) const;
 
  private:
-  /// A vertex takes the mean of those of a triangle near its image, of its corners that take none themselves.
+  /// `vertex` gets sum_k share_k phi(from_k): the levels at its mirror image, interpolated in the triangle `from`.
+  /// Corners that are replaced themselves have the share 0.
   struct Image {
     int vertex;
     std::array<int, 3> from;

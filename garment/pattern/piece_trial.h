@@ -24,6 +24,7 @@ struct PieceTrial {
   Vec2 box = Vec2::Zero();  // height along and width across the grain, m
 };
 
+/// Flattens one piece by itself; where it cannot be made a disk the trial is not sound.
 PieceTrial tryPiece(const RestGarment& garment, const Pieces& pieces, int piece, const FlatSettings& settings);
 
 /// Settings with the limits for seams that the program finds: three fifths of the threads' limit, on 99 % of the area.

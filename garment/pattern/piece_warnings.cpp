@@ -50,8 +50,9 @@ std::vector<std::string> pieceWarnings(const FlatPattern& pattern, const StrainL
           fmt::format("piece '{}' overlaps itself when flat and cannot be cut: give it one more seam", piece.name));
     if (!keeps(piece.strain, limits))
       warnings.push_back(fmt::format(
-          "piece '{}': threads {:.1f} % over {:g} % on {:.1f} % of its area, shear {:.1f} degrees at 99 %: {}; give it "
-          "one more seam",
+          "piece '{}': 98 % of its area needs threads to stretch by up to {:.1f} %, over thread_limit = {:g} % on "
+          "{:.1f} % "
+          "of it, and 99 % needs shear of up to {:.1f} degrees: {}; add a [[garment.seam]] through it",
           piece.name, 100 * piece.strain.thread_p98, 100 * limits.thread, 100 * piece.strain.thread_over_share,
           piece.strain.shear_p99 * 180 / M_PI,
           piece.darts > 0 ? "its darts do not reach the limits" : "no dart that was tried reaches the limits"));

@@ -1,8 +1,7 @@
 // The garment cut exactly along the lines between its regions.
 //
 //   slide    a vertex nearer to a line than a quarter of the edge towards it moves along that edge onto the line,
-//   unless
-//            a triangle around it became too thin: so the cut leaves no slivers
+//            unless a triangle around it would become too thin; so the cut leaves no slivers
 //   split    triangles that a line still crosses are split along it; new vertices lie on edges and, where three
 //            regions meet, inside a triangle
 //   chains   edges between different regions, from junction to junction, become seams

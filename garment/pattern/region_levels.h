@@ -24,6 +24,7 @@ struct RegionLevels {
 /// Levels whose lines run through the middles of the edges between vertices of different labels.
 RegionLevels levelsFrom(const RestSurface& surface, const std::vector<int>& label, int labels);
 
+/// The regions that the levels describe: the label of every vertex, and where lines cross edges.
 RegionMap mapOf(const RestSurface& surface, const RegionLevels& levels);
 
 /// The levels as distances to the lines of the map, up to a band of some edges, beyond which they stay the same.

@@ -4,12 +4,11 @@
 //   crossing on (a, b)    where the line between two regions crosses an edge whose ends have different labels,
 //                         (1 - s) x_a + s x_b
 //
-//        2                      2                A triangle whose corners lie in two regions is crossed by one line,
-//        one
-//       / \                    / \               whose corners lie in three by three lines, which meet in the middle of
-//      4---3                  4.  3              their crossings (point 6).  Point 3 + k lies on the edge opposite to
-//     /     \                /  6  \             corner k.
-//    0-------1              0---5---1
+//        2              2            A triangle with corners in two regions is crossed by one line; with corners in
+//       / |            / |           three, by three lines that meet in the mean of their crossings (point 6).
+//      4--3           4. 3           Point 3 + k lies on the edge opposite to corner k.
+//     /   |          / 6 |
+//    0----1         0--5-1
 #pragma once
 
 #include <array>

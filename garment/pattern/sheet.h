@@ -7,7 +7,7 @@ namespace ease {
 
 constexpr double kTestBox = 50.0;  // mm, side of the box by which users see whether a print has the right size
 
-/// The sheet; its pieces lie on it as they may lie on the cloth.
+/// The sheet; its pieces lie on it as they may lie on cloth `cloth_width` mm wide.  Throws InputError as layOut() does.
 Drawing drawSheet(const std::string& title, const std::vector<DrawnPiece>& pieces, double cloth_width);
 
 /// Length of cloth that all pieces take, mirrored ones cut twice, mm.

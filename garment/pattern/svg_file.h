@@ -1,10 +1,11 @@
-// A drawing as SVG in millimetres: one group a piece, in it one a kind of line, which Inkscape shows as layers.
+// A drawing as SVG in millimetres: one group per piece, in it one per kind of line, which Inkscape shows as layers.
 #pragma once
 
 #include "garment/pattern/drawing.h"
 
 namespace ease {
 
+/// The text of the SVG file.
 std::string svgText(const Drawing& drawing);
 
 /// Colour of lines, 0xRRGGBB: red is cut, blue is sewn, green are marks; as laser cutters take them.

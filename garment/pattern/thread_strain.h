@@ -33,13 +33,14 @@ struct StrainSummary {
 struct StrainLimits {
   double thread = 0.05;                     // stretch along warp and weft
   double shear = 14.0 / 57.29577951308232;  // rad
-  double share = 0.98;  // of the area that must keep the thread limit; 99 % must keep that of the shear
+  double share = 0.98;  // of the area that must be within the thread limit; within that of shear, 99 % must be
 };
 
 /// Summary over the triangles with `piece_of_triangle` == piece.
 StrainSummary strainOf(const FlatPieces& pieces, const Positions& x, const std::vector<ThreadStrain>& strains,
                        const std::vector<int>& piece_of_triangle, int piece, const StrainLimits& limits);
 
+/// Whether a piece stays within the limits and has no flipped triangle.
 inline bool keeps(const StrainSummary& strain, const StrainLimits& limits) {
   return strain.thread_over_share <= 1.0 - limits.share && strain.shear_p99 <= limits.shear && strain.flipped == 0;
 }

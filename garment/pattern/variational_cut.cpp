@@ -30,8 +30,8 @@ FoundCuts findCuts(const RestGarment& given, const CutSettings& settings, const 
   if (settings.is_symmetric) {
     const double low = garment.mesh.positions.col(0).minCoeff(), high = garment.mesh.positions.col(0).maxCoeff();
     if (plane <= low || plane >= high)
-      throw InputError(
-          fmt::format("symmetric = {:g}: the plane misses the garment: expected {:.3f} to {:.3f} m", plane, low, high));
+      throw InputError(fmt::format("cuts.symmetric = {:g}: the plane misses the garment: expected {:.3f} to {:.3f} m",
+                                   plane, low, high));
     symmetry.emplace(surface, plane, kReach * surface.mean_edge);
     (*symmetry)(start);
   }

@@ -37,7 +37,8 @@ struct FoundCuts {
   std::vector<std::string> warnings;
 };
 
-/// Finds cuts.  Throws InputError where the mesh is no surface, ComputationError where triangles are degenerate.
+/// Finds cuts.  Throws InputError where the mesh is no surface or the plane of symmetry misses it, ComputationError
+/// where triangles are degenerate.
 FoundCuts findCuts(const RestGarment& garment, const CutSettings& settings, const FlatSettings& flat);
 
 }  // namespace ease

@@ -18,8 +18,8 @@
 
 namespace ease {
 
-/// Rest values c of the conditions (stretch.h, shear.h) in eight triangles, shifted by damping. Elements without
-/// damping do not use them.
+/// Rest values c of the conditions (stretch.h, shear.h) in eight triangles: 1, 1 and 0 without damping, which shifts
+/// them. The isotropic element does not use them.
 struct RestConditions {
   Lanes warp, weft, shear;
 };

@@ -1,6 +1,6 @@
 #include "solver/energy/shear.h"
 
-#include <Eigen/Eigenvalues>
+#include <cmath>
 
 namespace ease {
 
@@ -50,18 +50,12 @@ FrameHessian orthogonalShearHessian(const Mat32& F, const Spring& spring, Hessia
 
 FrameHessian bw98ShearHessian(const Mat32& F, const Spring& spring, HessianKind kind) {
   // H = k [q qᵀ + (C - c) (0 I; I 0)] with q = (f_v, f_u).
-  using Mat6 = Eigen::Matrix<double, 6, 6>;
-  Eigen::Matrix<double, 6, 1> q;
+  Mat32 q;
   q << F.col(1), F.col(0);
-  Mat6 H = spring.k * q * q.transpose();
-  const double excess = spring.k * (bw98Shear(F) - spring.c);
-  H.topRightCorner<3, 3>().diagonal().array() += excess;
-  H.bottomLeftCorner<3, 3>().diagonal().array() += excess;
-  if (kind == HessianKind::projected) {
-    const Eigen::SelfAdjointEigenSolver<Mat6> eigen(H);
-    H = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
-  }
-  return {H.topLeftCorner<3, 3>(), H.topRightCorner<3, 3>(), H.bottomRightCorner<3, 3>()};
+  FrameHessian hessian;
+  hessian.addMode(spring.k, q);
+  hessian.uv.diagonal().array() += spring.k * (bw98Shear(F) - spring.c);
+  return kind == HessianKind::projected ? projected(hessian) : hessian;
 }
 
 }  // namespace ease

@@ -8,8 +8,8 @@
 //
 //   psi = k/2 (|f| - c)^2 - s/2 max(0, 1 - |f|)^2      Baraff and Witkin 1998, section 4.2, where s = 0
 //
-// Cloth gives way to compression by wrinkles. Those that are finer than a triangle can only be had as soft compression
-// (tension field theory, Pipkin 1986); without it, a triangle that would wrinkle shears and stretches instead.
+// Cloth under compression wrinkles. Wrinkles finer than a triangle cannot be represented by it; soft compression stands
+// in for them (tension field theory, Pipkin 1986). Without it the triangle shears and stretches instead.
 //
 // Projective dynamics reproduces this energy exactly for s = 0, at weight k: the nearest vector with psi = 0 is
 // c f / |f|. With softening, k is an upper bound.

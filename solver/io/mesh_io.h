@@ -9,12 +9,13 @@
 namespace ease {
 
 /// Reads a PLY, OBJ, STL, OFF or VTP file; the file's extension says which. Vertices and faces keep the order of the
-/// file, and vertices that no face uses are kept. The triangles of an STL file have three vertices each. Triangle
-/// strips become triangles. Points, lines, normals and textures are left out, and what is not used may be anything.
-/// Coordinates are in the file's unit.
+/// file, and vertices that no face uses are kept. Each triangle of an STL file gets three vertices of its own. Triangle
+/// strips become triangles. Points, lines, normals and textures are skipped without being checked. Coordinates are in
+/// the file's unit.
 ///
 /// Throws InputError, which names the file, if the file is missing, unreadable, cut short, of another format or without
-/// faces, if an index is out of range, or if a coordinate is not finite.
+/// faces, if an index is out of range, or if a coordinate is not finite or beyond
+/// kMaxCoordinate (mesh_checks.h).
 Polygons readPolygons(const std::filesystem::path& file);
 
 /// Whether the file's format (STL) gives every triangle vertices of its own.

@@ -6,12 +6,12 @@
 namespace ease {
 namespace {
 
-/// Takes words one by one, and tells where it is. Comments, from # to the end of the line, are no words.
+/// Reads a text word by word and counts its lines for messages. Comments, from # to the end of the line, are skipped.
 class Words {
  public:
   Words(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-  /// The next word of this line; of a later line if this one has no more and `further`. Empty: there is none.
+  /// Next word of this line or, if `further` is set and the line has no more, of a later line; empty if there is none.
   std::string_view take(bool further) {
     std::string_view word = takeWord(line_);
     while (word.empty() && further && !text_.empty()) {

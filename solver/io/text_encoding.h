@@ -1,11 +1,12 @@
-// Text as files of several systems have it.
+// Conversion of text files in UTF-16 or with a byte order mark.
 #pragma once
 
 #include <string>
 
 namespace ease {
 
-/// Turns UTF-16 with a byte order mark into UTF-8, and removes the mark of UTF-8. Other bytes stay as they are.
+/// Turns UTF-16 with a byte order mark into text, with '?' for every character that is not ASCII. Removes the mark of
+/// UTF-8. Other bytes stay as they are.
 std::string asUtf8(std::string bytes);
 
 }  // namespace ease

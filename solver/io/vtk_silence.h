@@ -1,4 +1,4 @@
-// Keeps VTK from printing about files that it cannot read, and what it would have said.
+// Keeps VTK from printing messages about files that it cannot read, and stores these messages.
 #pragma once
 
 #include <vtkLogger.h>

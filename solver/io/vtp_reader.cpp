@@ -37,7 +37,7 @@ RawMesh readVtp(std::string_view bytes, const std::string& name) {
     reader->SetInputString(std::string(bytes));
     reader->Update();
   } catch (const std::exception&) {  // out of memory: its own message does not name the file
-    throw InputError(fmt::format("{}: damaged: VTK finds counts in it that cannot be", name));
+    throw InputError(fmt::format("{}: damaged: VTK found impossible counts in it", name));
   }
   if (silence.keeper->hasError()) {
     throw InputError(fmt::format("{}: not a VTP file, or damaged: {}", name, silence.keeper->firstSentence()));

@@ -91,10 +91,6 @@ bool Cholesky::factor(const SparseMatrix& lower) {
   return data_->factored;
 }
 
-bool Cholesky::isFactored() const {
-  return data_->factored;
-}
-
 void Cholesky::solve(const double* b, double* x, int columns) const {
   assert(data_->factored);
   const size_t n = data_->factor->n;

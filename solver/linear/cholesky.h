@@ -33,7 +33,6 @@ class Cholesky {
 
   /// Factors a matrix with the analysed pattern. Returns false, and has no factor then, if it is not positive definite.
   [[nodiscard]] bool factor(const SparseMatrix& lower);
-  bool isFactored() const;
 
   /// Solves A x = b for `columns` right-hand sides, each of n values, one after the other.  b and x may be the same.
   void solve(const double* b, double* x, int columns) const;

@@ -28,8 +28,7 @@
 //   3.4 ms instead of 10 iterations and 5.5 ms; with L-BFGS and either factor, 6 iterations and 2.0 ms. The time of a
 //   whole run changes by less than 1 %.
 // - Updates of the factor by CHOLMOD when contacts begin or end. If 170 of 1,100, 380 of 4,271 or 500 of 10,000
-// vertices
-//   change, an update takes as long as a new factor, and contacts need only 13 new factors in 480 steps.
+//   vertices change, an update takes as long as a new factor; contacts need only 13 new factors in 480 steps.
 #pragma once
 
 #include <array>

@@ -9,9 +9,9 @@
 namespace ease {
 namespace {
 
-constexpr double kMinRelativeArea = 1e-12;
+constexpr double kMinRelativeArea = 1e-12;  // smallest area of a triangle over the squared diagonal of the mesh
 
-/// Triangle areas are compared to the squared diagonal of the box around all vertices, m^2.
+/// Squared diagonal of the box around all vertices, m^2.
 double squaredDiagonal(const Positions& positions) {
   if (positions.rows() == 0) return 0.0;
   return (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).squaredNorm();
@@ -29,7 +29,7 @@ std::string describe(const Triangles& triangles, int t) {
   return joined("(", triangles(t, 0), ", ", triangles(t, 1), ", ", triangles(t, 2), ")");
 }
 
-/// Whether two triangles have equal vertices in equal rotational order, whichever vertex comes first.
+/// Whether triangle t has the same vertices in the same rotational order in both meshes.
 bool isSameTriangle(const Triangles& a, const Triangles& b, int t) {
   for (int shift = 0; shift < 3; ++shift) {
     bool same = true;
@@ -118,7 +118,7 @@ void checkVerticesUsed(const TriangleMesh& mesh, const std::string& name) {
 void checkSameTriangles(const TriangleMesh& first, const std::string& first_name, const TriangleMesh& other,
                         const std::string& other_name) {
   const char* advice = correspondsOneToOne(first, other)
-                           ? "; the triangles correspond one to one in their order: match = \"triangles\" would do"
+                           ? "; the triangles correspond one to one in their order: set match = \"triangles\""
                            : kSameMesh;
   checkSameNumber("vertices", first.positions.rows(), first_name, other.positions.rows(), other_name, advice);
   checkSameNumber("triangles", first.triangles.rows(), first_name, other.triangles.rows(), other_name, advice);
@@ -135,9 +135,9 @@ TriangleMesh matchByTriangles(const TriangleMesh& first, const std::string& firs
   const Correspondence match = correspondByOrder(first, other);
   if (match.failing_triangle >= 0) {
     const int t = match.failing_triangle;
-    throw InputError(joined(other_name, ": does not match ", first_name, " by the order of the triangles: at triangle ",
-                            t, ", ", describe(other.triangles, t), " here and ", describe(first.triangles, t),
-                            " there, one vertex would have to be two", kSameMesh));
+    throw InputError(joined(other_name, ": does not match ", first_name, " by the order of the triangles: triangle ", t,
+                            " has vertices ", describe(other.triangles, t), ", but in ", first_name, " it has ",
+                            describe(first.triangles, t), ", so that one vertex would need two numbers", kSameMesh));
   }
   TriangleMesh renumbered{Positions(first.positions.rows(), 3), first.triangles};
   for (int i = 0; i < first.positions.rows(); ++i) {

@@ -20,7 +20,7 @@ struct Numbering {
 /// Orders vertices along the curve, triangles by the first of their vertices on it.
 Numbering spatialNumbering(const TriangleMesh& mesh);
 
-/// Puts vertices and triangles in their new order; the corners of a triangle keep theirs.
+/// Puts vertices and triangles in their new order; the three corners of a triangle keep their order.
 TriangleMesh renumbered(const TriangleMesh& mesh, const Numbering& numbering);
 Triangles renumbered(const Triangles& triangles, const Numbering& numbering);
 Positions renumbered(const Positions& positions, const std::vector<int>& order);
@@ -44,6 +44,7 @@ std::vector<Value> restored(const std::vector<Value>& values, const std::vector<
   return original;
 }
 
+/// Puts positions, m, back in their original order.
 Positions restored(const Positions& positions, const std::vector<int>& order);
 
 }  // namespace ease

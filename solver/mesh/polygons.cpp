@@ -28,7 +28,7 @@ double quality(const Point& a, const Point& b, const Point& c) {
   return longest > 0.0 ? cross(a, b, c) / longest : 0.0;
 }
 
-/// The corners in the plane that the polygon lies in best (normal after Newell), as large as its longest extent.
+/// Corners projected onto the plane that fits the polygon best (normal after Newell), relative to the first corner.
 std::vector<Point> flattened(const std::vector<Vec3>& corners) {
   Vec3 normal = Vec3::Zero();
   for (size_t i = 0; i < corners.size(); ++i)

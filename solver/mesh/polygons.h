@@ -13,7 +13,7 @@
 namespace ease {
 
 struct Polygons {
-  Positions points;          // m
+  Positions points;          // in the file's unit (readPolygons())
   std::vector<int> corners;  // vertices of the first polygon, then of the second, ...
   std::vector<int> ends;     // place in `corners` behind the last corner of each polygon
 };

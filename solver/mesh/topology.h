@@ -1,10 +1,11 @@
 // Edges, interior hinges and boundary loops of a triangle mesh.
 //
 //        opposite[0]
-//           /  \          an edge (a, b) with a < b; `triangle[0]` holds a -> b in its own order where the mesh is
-//          / t0 \         consistently oriented, `triangle[1]` holds b -> a
+//           /  \          edge (a, b), a < b
+//          / t0 \         inside: triangle[0] = t0 runs from a to b in its own order, triangle[1] = t1 from b to a
 //         a------b
-//          \ t1 /         on the boundary triangle[1] = opposite[1] = -1
+//          \ t1 /         boundary: triangle[0] is the only triangle and runs either way; triangle[1] = opposite[1] =
+//          -1
 //           \  /
 //        opposite[1]
 #pragma once

@@ -98,14 +98,15 @@ void joinNearPlaces(const Positions& x, double reach, const std::vector<int>& ve
   for (const int v : vertices) place[v] = sets.find(place[v]);
 }
 
-/// Angle of an edge's triangle around the edge, seen along the direction from place a to place b.
+/// Angle, rad, at which the triangle of an open edge lies around the edge: about `axis`, counted from `reference`.
 double angleAround(const Positions& x, const OpenEdge& edge, const Vec3& axis, const Vec3& reference) {
   const Vec3 arm = (x.row(edge.opposite) - x.row(edge.from)).transpose();
   return std::atan2(axis.dot(reference.cross(arm)), reference.dot(arm - axis * axis.dot(arm)));
 }
 
-/// Pairs open edges at one place, each that runs forth with the one that runs back and comes next around the edge on
-/// the inner side. Returns false where they do not alternate.
+/// Pairs open edges that lie at one place. By the numbers of their places each runs up (forth) or down (back). Sorted
+/// by angle around the edge, the two kinds must alternate; returns false where they do not. Calls pair(a, b) for each
+/// edge a that runs forth and the edge b that follows it through the inside of the surface.
 template <class Pair>
 bool pairAround(const Positions& x, const std::vector<OpenEdge>& edges, const std::vector<int>& place,
                 const Pair& pair) {
@@ -186,23 +187,23 @@ class Welding {
       group.clear();
       for (; end < keyed.size() && keyed[end].key == keyed[begin].key; ++end) group.push_back(open_[keyed[end].side]);
       if (group.size() < 2) continue;
-      bool all = true;
+      bool meet_in_all_poses = true;
       const bool paired = pairAround(poses_.front(), group, place, [&](const OpenEdge& a, const OpenEdge& b) {
         if (!together(a.from, b.to) || !together(a.to, b.from)) {
-          all = false;
+          meet_in_all_poses = false;
           return;
         }
         sets_.join(a.from, b.to);
         sets_.join(a.to, b.from);
       });
       if (!paired) left += static_cast<int>(group.size());
-      if (paired && all)
+      if (paired && meet_in_all_poses)
         for (size_t k = begin; k < end; ++k) closed[keyed[k].side] = 1;
     }
-    std::vector<OpenEdge> still;
+    std::vector<OpenEdge> still_open;
     for (size_t e = 0; e < open_.size(); ++e)
-      if (!closed[e]) still.push_back(open_[e]);
-    open_ = std::move(still);
+      if (!closed[e]) still_open.push_back(open_[e]);
+    open_ = std::move(still_open);
     return left;
   }
 

@@ -19,7 +19,8 @@ namespace ease {
 
 class Cloth {
  public:
-  /// The mesh is both the start shape and the first rest shape.  `grain` is the warp direction.
+  /// The mesh is both the start shape and the first rest shape.  `grain`: warp direction.  Throws InputError if the
+  /// mesh is not a manifold (topology.h) or the grain gives a connected part no direction (warp.h).
   Cloth(const TriangleMesh& mesh, const Vec3& grain, const Material& material);
 
   /// Replaces the rest shape and everything computed from it.  The flat edges carry the grain.
@@ -29,6 +30,7 @@ class Cloth {
   void setFirst(const RestShape& first);
 
   /// Multiplies the membrane's stiffness and damping in each triangle by a factor of its own, > 0; empty: 1 everywhere.
+  /// For users of the library: scenes have no key for it.
   /// Throws InputError where there is not one factor a triangle, or one is not a positive number.
   void setStiffnessScale(const std::vector<double>& scale);
 
@@ -54,7 +56,7 @@ class Cloth {
   }
   const std::vector<double>& vertexAreas() const { return vertex_areas_; }  // a third of the rest area around, m^2
   const std::vector<double>& masses() const { return masses_; }
-  const std::vector<Hinge>& hinges() const { return hinges_; }  // empty without bending
+  const std::vector<Hinge>& hinges() const { return hinges_; }  // empty without bending stiffness and damping
   int restRevision() const { return rest_revision_; }           // number of rest shapes and stiffness scales so far
 
   /// Deformation gradient of triangle t.

@@ -12,7 +12,7 @@ namespace ease {
 struct ContactPlane {
   Vec3 normal = Vec3::Zero();
   double offset = -1.0;
-  double give = 1e-3;  // depth at which the pressure has tripled, m (contact energy)
+  double give = 1e-3;  // m: depth at which the pressure is three times that of a linear spring (energy/contact.h)
   /// Depth of x below the plane, m; 0 above it.
   double depth(const Vec3& x) const { return std::max(0.0, offset - normal.dot(x)); }
 };

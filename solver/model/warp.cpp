@@ -27,18 +27,18 @@ Vec3 unfolded(const Vec3& direction, const Vec3& from_normal, const Vec3& to_nor
 std::vector<Vec3> warpDirections(const TriangleMesh& mesh, const Topology& topology, const Vec3& grain) {
   const int count = static_cast<int>(mesh.triangles.rows());
   std::vector<Vec3> warp(count, Vec3::Zero());
-  std::vector<int> across;
+  std::vector<int> undirected;
   for (int t = 0; t < count; ++t) {
     const Vec3 normal = unitNormal(mesh, t);
     const Vec3 projected = grain.normalized() - normal * normal.dot(grain.normalized());
     if (projected.norm() >= kMinProjected)
       warp[t] = projected.normalized();
     else
-      across.push_back(t);
+      undirected.push_back(t);
   }
-  while (!across.empty()) {  // a ring of triangles further each time
+  while (!undirected.empty()) {  // each round adds the triangles next to those with a direction
     std::vector<std::pair<int, Vec3>> found;
-    for (const int t : across) {
+    for (const int t : undirected) {
       Vec3 sum = Vec3::Zero();
       for (int k = 0; k < 3; ++k) {
         const Edge& edge = topology.edges[topology.triangle_edges(t, k)];
@@ -50,12 +50,13 @@ std::vector<Vec3> warpDirections(const TriangleMesh& mesh, const Topology& topol
       if (sum.norm() > 0.1) found.emplace_back(t, sum.normalized());
     }
     if (found.empty())
-      throw InputError(joined("grain = [", grain.x(), ", ", grain.y(), ", ", grain.z(), "]: triangle ", across.front(),
-                              " and all of its part lie across it, so that it tells no direction there: write a grain "
-                              "that runs along the cloth, such as grain = [",
-                              std::abs(grain.x()) > 0.5 ? "0, -1, 0]" : "1, 0, 0]"));
+      throw InputError(
+          joined("grain = [", grain.x(), ", ", grain.y(), ", ", grain.z(), "]: triangle ", undirected.front(),
+                 " and all triangles connected to it lie at right angles to the grain, which gives them no "
+                 "warp direction: write a grain that runs along the cloth, such as grain = [",
+                 std::abs(grain.x()) > 0.5 ? "0, -1, 0]" : "1, 0, 0]"));
     for (const auto& [t, direction] : found) warp[t] = direction;
-    std::erase_if(across, [&](int t) { return !warp[t].isZero(0.0); });
+    std::erase_if(undirected, [&](int t) { return !warp[t].isZero(0.0); });
   }
   return warp;
 }

@@ -26,8 +26,8 @@ class BendingMatrix {
   /// Adds row i of Q x, N, to `product`:  (Q x)_i = sum_j Q_ij (x_j - x_i),  because each row of Q sums to zero.
   /// Differences of positions have less round-off than positions.
   void addRow(int i, const Positions& x, Vec3& product) const {
-    const Vec3 here = x.row(i);
-    for (int k = start_[i]; k < start_[i + 1]; ++k) product += values_[k] * (x.row(column_[k]).transpose() - here);
+    const Vec3 x_i = x.row(i);
+    for (int k = start_[i]; k < start_[i + 1]; ++k) product += values_[k] * (x.row(column_[k]).transpose() - x_i);
   }
 
   /// Estimates the round-off in the bending energy, the sum over all rows, J.

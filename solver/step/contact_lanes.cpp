@@ -42,7 +42,7 @@ void ContactLanes::set(int lane, const Cloth& cloth, const HostedSample& hosted,
 }
 
 FrictionLanes::FrictionLanes() {
-  from.x = from.y = from.z = limit = Lanes::Zero();
+  place_without_slip.x = place_without_slip.y = place_without_slip.z = limit = Lanes::Zero();
   std::fill(std::begin(second), std::end(second), false);
 }
 
@@ -58,9 +58,9 @@ void FrictionLanes::set(int lane, const Cloth& cloth, const HostedSample& hosted
   const SampleCorners corners = cloth.samples().corners(hosted.sample);
   for (int k = 0; k < corners.count; ++k) place += Vec3(start.positions.row(corners.vertex[k])) / corners.count;
   if (!contacts.motions.empty()) place += contacts.motions[second[lane] ? count + second_plane : s];
-  from.x[lane] = place[0];
-  from.y[lane] = place[1];
-  from.z[lane] = place[2];
+  place_without_slip.x[lane] = place[0];
+  place_without_slip.y[lane] = place[1];
+  place_without_slip.z[lane] = place[2];
 }
 
 ContactLayout::ContactLayout(const Cloth& cloth, int group)
@@ -88,24 +88,24 @@ void ContactLayout::set(const Contacts& contacts, const FrictionStart* friction)
 }
 
 void ContactLayout::setGroup(int g, const Contacts& contacts, const FrictionStart* friction) {
-  std::vector<ContactLanes>& all = groups_[g];
-  all.clear();
+  std::vector<ContactLanes>& group_lanes = groups_[g];
+  group_lanes.clear();
   frictions_[g].clear();
   if (empty_) return;
-  size_t first = 0;  // index in `all` of the current block's first element
+  size_t first = 0;  // index in `group_lanes` of the current block's first element
   int used[kLanes];  // number of the block's samples placed in each lane so far
   // `second`: index of the plane in Contacts::seconds; -1: it is the sample's first one.
   const auto add = [&](const HostedSample& hosted, const ContactPlane& plane, int second) {
     const int block = hosted.triangle / kLanes, lane = hosted.triangle % kLanes;
-    if (all.empty() || all.back().block != block) {
-      first = all.size();
+    if (group_lanes.empty() || group_lanes.back().block != block) {
+      first = group_lanes.size();
       std::fill(std::begin(used), std::end(used), 0);
     }
     const size_t at = first + used[lane]++;
-    if (at == all.size()) all.emplace_back(block);
-    all[at].set(lane, cloth_, hosted, plane);
+    if (at == group_lanes.size()) group_lanes.emplace_back(block);
+    group_lanes[at].set(lane, cloth_, hosted, plane);
     if (!friction) return;
-    if (frictions_[g].size() < all.size()) frictions_[g].resize(all.size());
+    if (frictions_[g].size() < group_lanes.size()) frictions_[g].resize(group_lanes.size());
     frictions_[g][at].set(lane, cloth_, hosted, contacts, *friction, second);
   };
   auto next = std::ranges::lower_bound(seconds_, begin_[g], {}, &Second::place);

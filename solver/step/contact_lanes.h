@@ -62,10 +62,11 @@ struct FrictionStart {
 
 /// Friction of the samples of a ContactLanes, lane by lane (energy/friction.h).
 struct FrictionLanes {
-  Column<Lanes> from;   // where the sample would be without slip, m: its start plus the motion of the body's surface
-  Lanes limit;          // mu lambda, N: the largest force of friction
-  bool second[kLanes];  // whether the plane is the sample's second one
-  bool any = false;     // whether a limit is above 0
+  Column<Lanes>
+      place_without_slip;  // where the sample would be without slip, m: its start plus the motion of the body's surface
+  Lanes limit;             // mu lambda, N: the largest force of friction
+  bool second[kLanes];     // whether the plane is the sample's second one
+  bool any = false;        // whether a limit is above 0
 
   /// All lanes are without friction.
   FrictionLanes();
@@ -73,14 +74,14 @@ struct FrictionLanes {
   void set(int lane, const Cloth& cloth, const HostedSample& hosted, const Contacts& contacts,
            const FrictionStart& start, int second_plane);
 
-  /// Slip of the samples on their hosts: the part of x - from that is tangential to the plane, m.
+  /// Slip of the samples on their hosts: the part of x - place_without_slip that is tangential to the plane, m.
   Column<Lanes> slip(const ContactLanes& contact, const TriangleEdges& hosts) const {
     const auto moved = [&](const Lanes& x, const Lanes& e1, const Lanes& e2, const Lanes& start) -> Lanes {
       return x + contact.weight[0] * e1 + contact.weight[1] * e2 - start;
     };
-    Column<Lanes> u{moved(hosts.first.x, hosts.edge_1.x, hosts.edge_2.x, from.x),
-                    moved(hosts.first.y, hosts.edge_1.y, hosts.edge_2.y, from.y),
-                    moved(hosts.first.z, hosts.edge_1.z, hosts.edge_2.z, from.z)};
+    Column<Lanes> u{moved(hosts.first.x, hosts.edge_1.x, hosts.edge_2.x, place_without_slip.x),
+                    moved(hosts.first.y, hosts.edge_1.y, hosts.edge_2.y, place_without_slip.y),
+                    moved(hosts.first.z, hosts.edge_1.z, hosts.edge_2.z, place_without_slip.z)};
     addScaled(u, Lanes(-dot(u, contact.normal)), contact.normal);
     return u;
   }

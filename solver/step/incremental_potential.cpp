@@ -137,13 +137,13 @@ double IncrementalPotential::blockForces(int block, std::span<const ContactLanes
     return Column<Lanes>{stress.u.x * u + stress.v.x * v, stress.u.y * u + stress.v.y * v,
                          stress.u.z * u + stress.v.z * v};
   };
-  Column<Lanes> f1 = force(0), f2 = force(1), all = none;
+  Column<Lanes> f1 = force(0), f2 = force(1), contact_force = none;
   for (const ContactLanes& contact : contacts) {
     const Lanes depth = contact.depth(host);
     if (depth.maxCoeff() == 0.0) continue;
     energy += contact.area * contactEnergy(depth, options_.contact_stiffness, contact.give);
     const Lanes push = -contact.area * ease::contactPressure(depth, options_.contact_stiffness, contact.give);
-    addScaled(all, push, contact.normal);
+    addScaled(contact_force, push, contact.normal);
     addScaled(f1, Lanes(push * contact.weight[0]), contact.normal);
     addScaled(f2, Lanes(push * contact.weight[1]), contact.normal);
   }
@@ -154,12 +154,12 @@ double IncrementalPotential::blockForces(int block, std::span<const ContactLanes
     const Lanes y = length(u);
     energy += friction.limit * frictionPotential(y, slipLength());
     const Lanes drag = friction.limit * frictionWeight(y, slipLength());
-    addScaled(all, drag, u);
+    addScaled(contact_force, drag, u);
     addScaled(f1, Lanes(drag * contacts[k].weight[0]), u);
     addScaled(f2, Lanes(drag * contacts[k].weight[1]), u);
   }
   Vec3* out = corner_force_.data() + static_cast<size_t>(3 * kLanes) * block;
-  const Column<Lanes> f0{all.x - f1.x - f2.x, all.y - f1.y - f2.y, all.z - f1.z - f2.z};
+  const Column<Lanes> f0{contact_force.x - f1.x - f2.x, contact_force.y - f1.y - f2.y, contact_force.z - f1.z - f2.z};
   for (int l = 0; l < kLanes; ++l) {
     out[3 * l] = Vec3(f0.x[l], f0.y[l], f0.z[l]);
     out[3 * l + 1] = Vec3(f1.x[l], f1.y[l], f1.z[l]);
@@ -175,26 +175,26 @@ double IncrementalPotential::gradient(const Positions& x, Positions& gradient, S
   parallelFor(static_cast<int>(vertex_sums_.size()), 1, [&](int g) {
     VertexSums sums{};
     for (int i = g * kGroup; i < std::min((g + 1) * kGroup, cloth_.vertexCount()); ++i) {
-      const Vec3 here = x.row(i), ahead = here - inertial_.row(i).transpose();
+      const Vec3 x_i = x.row(i), beyond_inertial = x_i - inertial_.row(i).transpose();
       const double mass = inverse_h2 * cloth_.masses()[i];
-      sums.energy += 0.5 * mass * ahead.squaredNorm();
-      sums.motion.all += mass * (here - start_.row(i).transpose()).squaredNorm();
-      sums.motion.forced += mass * (ahead + fall).squaredNorm();
-      Vec3 sum = mass * ahead;
+      sums.energy += 0.5 * mass * beyond_inertial.squaredNorm();
+      sums.motion.whole += mass * (x_i - start_.row(i).transpose()).squaredNorm();
+      sums.motion.forced += mass * (beyond_inertial + fall).squaredNorm();
+      Vec3 sum = mass * beyond_inertial;
       for (int k : triangle_corners_.of(i)) sum += corner_force_[k];
       if (!hinges_.empty()) sum += hinges_.sumAt(i);
       gradient.row(i) = sum;
     }
     vertex_sums_[g] = sums;
   });
-  VertexSums all{energy, {}};
+  VertexSums total{energy, {}};
   for (const VertexSums& sums : vertex_sums_) {
-    all.energy += sums.energy;
-    all.motion.all += sums.motion.all;
-    all.motion.forced += sums.motion.forced;
+    total.energy += sums.energy;
+    total.motion.whole += sums.motion.whole;
+    total.motion.forced += sums.motion.forced;
   }
-  if (motion) *motion = all.motion;
-  return all.energy;
+  if (motion) *motion = total.motion;
+  return total.energy;
 }
 
 double IncrementalPotential::kinetic(const Positions& d) const {
@@ -203,7 +203,7 @@ double IncrementalPotential::kinetic(const Positions& d) const {
 }
 
 double IncrementalPotential::roundOff(double energy, const StepMotion& motion) const {
-  return kRoundOff * (std::abs(energy) + motion.all) + bending_round_off_;
+  return kRoundOff * (std::abs(energy) + motion.whole) + bending_round_off_;
 }
 
 double IncrementalPotential::totalMass() const {

@@ -48,7 +48,7 @@ constexpr double kSlipSpeed = 1e-3;
 
 /// Twice the kinetic energy of a motion that takes one step, |motion|^2_M / h^2, J.
 struct StepMotion {
-  double all = 0.0;     // whole motion, from x_n to x
+  double whole = 0.0;   // from x_n to x
   double forced = 0.0;  // part due to forces, from x_n + h v_n to x
 };
 
@@ -59,7 +59,8 @@ class IncrementalPotential {
   /// Starts a step: computes y and the values at the start that damping needs, and removes all contacts.
   void begin(const State& start, const StepOptions& options);
 
-  /// `normal_forces`: forces that friction is in proportion to in this minimisation, N, as in State.
+  /// Replaces the contact planes. `normal_forces`: lambda of friction, N, in the order of State::normal_forces;
+  /// constant during the minimisation. Empty: no friction.
   void setContacts(const Contacts& contacts, std::span<const double> normal_forces = {});
   /// Whether the cloth may touch something in this step.
   bool mayTouch() const { return !contacts_.empty(); }
@@ -165,6 +166,8 @@ class IncrementalPotential {
     const double w1 = contact.weight[0][lane], w2 = contact.weight[1][lane], weights[3] = {1.0 - w1 - w2, w1, w2};
     for (int a = 0; a < 3; ++a) add(lanes_[contact.block].corners[a][lane], weights[a]);
   }
+  /// Computes contact_hessian_ and pressed_ of all samples at x.
+  void contactHessians(const Positions& x, HessianKind kind);
   /// Stiffness of a sample at this depth, N/m.
   double stiffness(const ContactLanes& contact, int lane, double depth) const {
     return contact.area[lane] * contactStiffness(depth, options_.contact_stiffness, contact.give[lane]);

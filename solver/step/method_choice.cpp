@@ -7,17 +7,17 @@ namespace ease {
 
 namespace {
 
-// The other method is tried only if a step costs at least this much, since Newton's cheapest step costs 8.
+// In iterations of pd-lbfgs. In a cheaper step the other method cannot win, since Newton's cheapest step costs 8.
 constexpr double kMinCostForTrial = 12.0;
 constexpr double kWeight = 0.25;                        // weight of the newest step in the running mean
-constexpr double kOnceWeight = 0.05;                    // weight of the newest step in the mean of factorisation costs
+constexpr double kFactorWeight = 0.05;                  // weight of the newest step in the mean of factorisation costs
 constexpr int kWaitFactor = 4;                          // after a lost trial, wait four times as long
 constexpr int kMinWaitForNewton = 64, kMaxWait = 4096;  // steps from a lost trial to the next one
 
 }  // namespace
 
-void MethodChoice::recordCost(double pd_lbfgs, double newton, double once) {
-  if (newton > 0.0) newton_cost_ += kWeight * (newton + once - newton_cost_);
+void MethodChoice::recordCost(double pd_lbfgs, double newton, double factors) {
+  if (newton > 0.0) newton_cost_ += kWeight * (newton + factors - newton_cost_);
   const double cost = pd_lbfgs + newton;
   ++steps_;
   if (trial_) {
@@ -26,7 +26,7 @@ void MethodChoice::recordCost(double pd_lbfgs, double newton, double once) {
     if (cost < mean_) {
       newton_ = !newton_;
       pd_lbfgs_mean_ = std::exchange(mean_, cost);
-      once_ = 0.0;
+      factor_mean_ = 0.0;
       until_pd_lbfgs_ = kFirstWait;
     } else if (newton_) {
       until_pd_lbfgs_ = std::min(kWaitFactor * until_pd_lbfgs_, kMaxWait);
@@ -36,8 +36,8 @@ void MethodChoice::recordCost(double pd_lbfgs, double newton, double once) {
     return;
   }
   mean_ += (mean_ == 0.0 ? 1.0 : kWeight) * (cost - mean_);
-  once_ += kOnceWeight * (once - once_);
-  if (newton_ && mean_ + once_ > pd_lbfgs_mean_) {
+  factor_mean_ += kFactorWeight * (factors - factor_mean_);
+  if (newton_ && mean_ + factor_mean_ > pd_lbfgs_mean_) {
     newton_ = false;
     mean_ = pd_lbfgs_mean_;
     steps_ = 0;

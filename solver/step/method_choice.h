@@ -26,8 +26,8 @@ class MethodChoice {
   /// Records what a step cost, in pd-lbfgs iterations:
   /// `pd_lbfgs`: its own iterations.
   /// `newton`: Newton's iterations, converted; 0 if Newton was not used.
-  /// `once`: factorisations, converted; they are counted apart because later steps may use them again.
-  void recordCost(double pd_lbfgs, double newton, double once);
+  /// `factors`: factorisations, converted; they are counted apart because later steps may use them again.
+  void recordCost(double pd_lbfgs, double newton, double factors);
 
  private:
   static constexpr int kFirstWait = 4;  // steps
@@ -36,9 +36,9 @@ class MethodChoice {
   bool newton_ = false;                    // whether Newton is in use; otherwise pd-lbfgs is
   bool trial_ = false;                     // whether the next step tries the other method
   double mean_ = 0.0;                      // running mean of the cost of the method in use; 0: unknown
-  double once_ = 0.0;                      // running mean of `once` since the method is in use
+  double factor_mean_ = 0.0;               // running mean of the cost of factors since the method is in use
   double pd_lbfgs_mean_ = 0.0;             // mean cost of pd-lbfgs when it was last in use
-  double newton_cost_ = kFirstNewtonCost;  // running mean over steps that used Newton, with `once`
+  double newton_cost_ = kFirstNewtonCost;  // running mean over steps that used Newton, with factors
   int steps_ = 0;                          // steps since the last trial
   int until_newton_ = kFirstWait, until_pd_lbfgs_ = kFirstWait;  // steps from a trial to the next
 };

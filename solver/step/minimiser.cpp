@@ -14,12 +14,12 @@ constexpr int kGrain = 1024;
 constexpr int kMaxHalvings = 20;
 constexpr double kSufficientDecrease = 1e-4;  // share of the decrease predicted by the slope (Armijo's condition)
 constexpr double kForcedMotionFactor = 4.0;   // the 4 in the error's denominator (minimiser.h)
-constexpr double kMinSpeed = 1e-3;            // m/s: slower motion counts as this fast, so that cloth at rest converges
+constexpr double kMinSpeed = 1e-3;            // v_min in the error's denominator (minimiser.h), m/s
 
 /// Square of the relative error's denominator (minimiser.h) divided by h^2, which is twice a kinetic energy, J.
 double stepKinetic(const IncrementalPotential& potential, const StepMotion& motion) {
   const double least = potential.totalMass() * kMinSpeed * kMinSpeed;
-  return std::min(motion.all, kForcedMotionFactor * kForcedMotionFactor * motion.forced) + least;
+  return std::min(motion.whole, kForcedMotionFactor * kForcedMotionFactor * motion.forced) + least;
 }
 
 }  // namespace

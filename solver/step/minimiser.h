@@ -1,7 +1,8 @@
 // Parts that the minimisers of the incremental potential share: stopping rule, line search and summary.
 //
-//   error = |x - x_min|_M / min(|x - x_n|_M, 4 |x - x_n - h v_n|_M)      relative error of a step
+//   error^2 = |x - x_min|^2_M / (min(|x - x_n|_M, 4 |x - x_n - h v_n|_M)^2 + m (h v_min)^2)    of a step, relative
 //
+//   m, v_min     mass of the cloth, kg, and 1 mm/s; with this term cloth at rest converges
 //   x_min        positions that minimise the potential, m
 //   x_n          positions at the start of the step, m
 //   |d|_M        norm weighted by the masses: sqrt(sum_i m_i |d_i|^2)
@@ -25,7 +26,7 @@ namespace ease {
 struct StopRule {
   int max_iterations = 1;
   double error = 0.0;               // tolerance of the relative error above; 0: not checked
-  double acceleration = 0.0;        // m/s^2: largest |dE/dx_i| / m_i of a vertex that is not pinned
+  double acceleration = 0.0;        // m/s^2: largest |dE/dx_i| / m_i of a vertex that is not pinned; 0: not checked
   int patience = 0;                 // stop if the rate predicts more iterations than this; 0: never
   bool run_all_iterations = false;  // do not stop early; `converged` still says whether the tolerance was met
   int max_cg_iterations = 0;        // Newton stops after this many iterations of conjugate gradients in all; 0: never

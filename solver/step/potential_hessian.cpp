@@ -11,18 +11,7 @@ constexpr int kGrain = 512;
 
 }  // namespace
 
-void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMatrix& hessian) {
-  const int n = cloth_.vertexCount();
-  const ContactSamples samples = cloth_.samples();
-  parallelFor(cloth_.triangleCount(), kGrain, [&](int t) {
-    const Mat32 F = cloth_.deformation(x, t);
-    frame_hessian_[t] = membrane_.hessian(F, t, kind);
-    frame_hessian_[t] *= cloth_.membraneWeights()[t];
-  });
-  if (hinges_.damps())
-    parallelFor(static_cast<int>(hinge_hessian_.size()), kGrain, [&](int e) {
-      hinge_hessian_[e] = hingeDampingHessian(hingeVector(cloth_.hinges()[e], x), hinges_.damper(e), kind);
-    });
+void IncrementalPotential::contactHessians(const Positions& x, HessianKind kind) {
   std::fill(pressed_.begin(), pressed_.end(), 0);
   forPressed(x, false, [&](const ContactLanes& contact, int lane, double depth) {
     const int s = contact.sample[lane];
@@ -37,6 +26,21 @@ void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMa
     contact_hessian_[s] += limit * frictionHessian(slip, contact.normalOf(lane), slipLength(), kind);
     pressed_[s] = 1;
   });
+}
+
+void IncrementalPotential::hessian(const Positions& x, HessianKind kind, BlockMatrix& hessian) {
+  const int n = cloth_.vertexCount();
+  const ContactSamples samples = cloth_.samples();
+  parallelFor(cloth_.triangleCount(), kGrain, [&](int t) {
+    const Mat32 F = cloth_.deformation(x, t);
+    frame_hessian_[t] = membrane_.hessian(F, t, kind);
+    frame_hessian_[t] *= cloth_.membraneWeights()[t];
+  });
+  if (hinges_.damps())
+    parallelFor(static_cast<int>(hinge_hessian_.size()), kGrain, [&](int e) {
+      hinge_hessian_[e] = hingeDampingHessian(hingeVector(cloth_.hinges()[e], x), hinges_.damper(e), kind);
+    });
+  contactHessians(x, kind);
   const auto addContact = [&](int s, double weight, Mat3& block) {
     if (pressed_[s]) block += weight * contact_hessian_[s];
   };

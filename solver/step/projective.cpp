@@ -62,13 +62,13 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
   bool same = rest_revision_ == cloth.restRevision() && h_ == h && weights_ == weights && fixed_ == fixed &&
               accelerated_ == accelerated;
   if (same) {
-    double drift = 0.0, all = 0.0;
+    double drift = 0.0, total = 0.0;
     for (size_t i = 0; i < contact_.size(); ++i) {
       drift += std::abs(contact_now_[i] - contact_[i]);
-      all += std::max(contact_now_[i], contact_[i]);
+      total += std::max(contact_now_[i], contact_[i]);
     }
     const bool pays = accelerated && solves_ > 0 && last_iterations_ > (kFactorCost + iterations_) / solves_;
-    same = drift <= (pays ? kMinDrift : kMaxDrift) * all;
+    same = drift <= (pays ? kMinDrift : kMaxDrift) * total;
   }
   if (same) return false;
 
@@ -87,8 +87,8 @@ bool Projective::prepare(IncrementalPotential& potential, const std::vector<char
   }
   scaled_inverse_.resize(cloth.triangleCount());
   for (int t = 0; t < cloth.triangleCount(); ++t) {
-    const Eigen::Vector2d here = accelerated ? potential.projectiveWeightsAt(x, t) : weights;
-    scaled_inverse_[t] = cloth.restInverse()[t] * here.cwiseSqrt().asDiagonal();
+    const Eigen::Vector2d triangle_weights = accelerated ? potential.projectiveWeightsAt(x, t) : weights;
+    scaled_inverse_[t] = cloth.restInverse()[t] * triangle_weights.cwiseSqrt().asDiagonal();
   }
   if (!system_.factor(scaled_inverse_, cloth.membraneWeights(), diagonal_, fixed))
     throw ComputationError("the projective system is not positive definite");

@@ -41,6 +41,7 @@ class Projective {
   Projective(const Cloth& cloth, std::span<const int> ordering);
 
   /// Iterates from `point`, which must be evaluated, and leaves it evaluated.  `accelerated`: pd-lbfgs instead of pd.
+  /// Throws ComputationError if A is not positive definite.
   MinimiserSummary minimise(IncrementalPotential& potential, const std::vector<char>& fixed, const StopRule& stop,
                             bool accelerated, Point& point);
 

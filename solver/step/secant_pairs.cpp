@@ -29,10 +29,10 @@ SecantPairs::Sums SecantPairs::sums(int rows, const Sweep& sweep) {
     partial_[b].fill(0.0);
     sweep(Block{b * kRows, std::min(kRows, rows - b * kRows)}, partial_[b]);
   });
-  Sums all{};
+  Sums total{};
   for (const Sums& partial : partial_)
-    for (size_t k = 0; k < all.size(); ++k) all[k] += partial[k];
-  return all;
+    for (size_t k = 0; k < total.size(); ++k) total[k] += partial[k];
+  return total;
 }
 
 void SecantPairs::applyFirstLoop(const Positions& gradient, Positions& q) {

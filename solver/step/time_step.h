@@ -3,12 +3,13 @@
 //   bw1        one Newton iteration
 //   newton     Newton iterations down to a given residual
 //   pd         a fixed number of local/global iterations of projective dynamics
-//   pd-lbfgs   L-BFGS with the system of `pd` as initial inverse Hessian, down to a given relative error
+//   pd-lbfgs   L-BFGS down to a given relative error; its initial Hessian is a matrix like that of `pd` (projective.h)
 //   auto       pd-lbfgs or Newton down to a given relative error, whichever costs less (method_choice.h); the one hands
 //              over to the other within the step where that seems to be cheaper
 //
-// All methods minimise the same incremental potential and start at x_n + h v_n. Contacts are found there; they are
-// found again, and the minimisation repeated, if the cloth has moved far from the positions at which they were found.
+// All methods minimise the same incremental potential and start at x_n + h v_n. Contacts are found there. If a vertex
+// then moves more than 4 mm, they are found again and the minimisation is repeated, up to four rounds in all; `bw1` has
+// one round.
 // With friction, each minimisation takes the normal forces at the end of the last one, in this step or the one before.
 #pragma once
 
@@ -33,8 +34,8 @@ class TimeStep {
   /// vertices (gradient_system.h).
   TimeStep(const Cloth& cloth, const MethodOptions& options, std::span<const int> ordering);
 
-  /// Moves the state by one time step. If a system cannot be solved, throws ComputationError and leaves the state
-  /// unchanged.
+  /// Moves the state by one time step. If a system cannot be solved, or the potential or a position is not finite,
+  /// throws ComputationError and leaves the state unchanged.
   StepSummary step(State& state, const StepOptions& options, const Pins& pins, const FindContacts& find_contacts);
 
   /// Makes the next step depend on its state alone, not on factors and secant pairs of earlier steps.

@@ -18,7 +18,7 @@ Schedule twoPoses() {
 }
 
 auto membersOf(const Moment& m) {
-  return std::tie(m.done.all, m.done.moving, m.done.still, m.time_s, m.moves, m.pose, m.settles, m.adapts, m.written,
+  return std::tie(m.done.total, m.done.moving, m.done.still, m.time_s, m.moves, m.pose, m.settles, m.adapts, m.written,
                   m.measured);
 }
 
@@ -31,7 +31,7 @@ TEST_CASE("pictures are due at poses, at the end, and at a couple of dozen measu
   const std::vector<Moment> moments = timeline(schedule);
   int shown = 0;
   for (const Moment& m : moments) {
-    CHECK(m.last == (m.done.all == 405));
+    CHECK(m.last == (m.done.total == 405));
     if (m.last || m.pose >= 0) CHECK(m.shown);
     if (m.shown) CHECK(m.measured);
     shown += m.shown;
@@ -48,14 +48,14 @@ TEST_CASE("what is due comes at its interval, at poses and at the end") {
   const std::vector<Moment> moments = timeline(schedule);
   REQUIRE(moments.size() == 43);
   for (const Moment& m : moments) {
-    CHECK(m.time_s == Approx(0.0025 * m.done.all));
-    CHECK(m.adapts == (m.done.all % 8 == 0));
-    CHECK(m.written == (m.done.all % 5 == 0 || m.done.all == 43));
-    CHECK(m.pose == (m.done.all == 40 ? 1 : -1));
+    CHECK(m.time_s == Approx(0.0025 * m.done.total));
+    CHECK(m.adapts == (m.done.total % 8 == 0));
+    CHECK(m.written == (m.done.total % 5 == 0 || m.done.total == 43));
+    CHECK(m.pose == (m.done.total == 40 ? 1 : -1));
     CHECK(m.measured == (m.adapts || m.written || m.pose >= 0));
-    CHECK(m.checkpoint == (m.done.all >= 40 && m.done.all != 41 && m.done.all != 42));
-    CHECK(m.moves == (m.done.all <= 40));
-    CHECK(m.settles == (m.done.all > 40));
+    CHECK(m.checkpoint == (m.done.total >= 40 && m.done.total != 41 && m.done.total != 42));
+    CHECK(m.moves == (m.done.total <= 40));
+    CHECK(m.settles == (m.done.total > 40));
   }
   schedule.write_every = schedule.adapt_every = 0;
   for (const Moment& m : timeline(schedule)) CHECK_FALSE((m.written || m.adapts));
@@ -64,7 +64,7 @@ TEST_CASE("what is due comes at its interval, at poses and at the end") {
 TEST_CASE("a checkpoint comes every tenth frame") {
   Schedule schedule = twoPoses();
   schedule.write_every = 2;
-  for (const Moment& m : timeline(schedule)) CHECK(m.checkpoint == (m.done.all % 20 == 0));
+  for (const Moment& m : timeline(schedule)) CHECK(m.checkpoint == (m.done.total % 20 == 0));
 }
 
 TEST_CASE("the start is measured and stands on the first pose, if there is one") {
@@ -98,7 +98,7 @@ TEST_CASE("a body that stood at its last pose goes on from there to one that was
   const auto goesOn = [&] {
     const std::vector<Moment> left = timeline(schedule, done);
     REQUIRE(left.size() == 46);
-    CHECK(left.front().done.all == 47);
+    CHECK(left.front().done.total == 47);
     CHECK(left.front().done.moving == 41);
     CHECK(left[39].done.moving == 80);
     CHECK(left.back().done.moving == 80);

@@ -37,7 +37,7 @@ TEST_CASE("a checkpoint is read as it was written, to the last bit") {
   const Checkpoint written = someCheckpoint();
   writeCheckpoint(file, written);
   const Checkpoint read = readCheckpoint(file);
-  CHECK(read.run.done.all == written.run.done.all);
+  CHECK(read.run.done.total == written.run.done.total);
   CHECK(read.run.done.moving == written.run.done.moving);
   CHECK(read.run.done.still == written.run.done.still);
   CHECK(read.poses_met == written.poses_met);

@@ -69,7 +69,7 @@ TEST_CASE("a run that is interrupted leaves series that open and a checkpoint to
   CHECK(framesIn(there) >= frames);
   CHECK_THAT(contentOf(there / "report.json"), Contains("\"interrupted\": true"));
   writeScene(directory, 40);
-  const bool is_further = readCheckpoint(there / "checkpoint.bin").run.done.all >= 40;
+  const bool is_further = readCheckpoint(there / "checkpoint.bin").run.done.total >= 40;
   if (is_further) return;
   const Outcome on = runEase(directory, "run sheet.toml --resume there --threads 1");
   CHECK(on.code == 0);
@@ -91,7 +91,7 @@ TEST_CASE("a run that is killed leaves series that open, the next run takes away
   for (const char* stray : {"garment/garment_999999.vtp.part", "report.json.part", "checkpoint.bin.part",
                             "stretch.png.part", ".ease-writable"})
     std::ofstream(there / stray) << "cut sho";
-  writeScene(directory, readCheckpoint(there / "checkpoint.bin").run.done.all + 5);
+  writeScene(directory, readCheckpoint(there / "checkpoint.bin").run.done.total + 5);
   CHECK(runEase(directory, goes_on ? "run sheet.toml --resume there" : "run sheet.toml -o there").code == 0);
   CHECK(faultIn(there) == "");
 }
@@ -118,7 +118,7 @@ TEST_CASE("a run that is killed before its tenth frame goes on to what an unbrok
   run.waitUntil([&] { return fs::exists(directory.path / "there/checkpoint.bin"); });
   run.stop(SIGKILL);
   const int steps =
-      readCheckpoint(directory.path / "there/checkpoint.bin").run.done.all + 20;  // the kill may come late
+      readCheckpoint(directory.path / "there/checkpoint.bin").run.done.total + 20;  // the kill may come late
   writeScene(directory, steps, adaption);
   REQUIRE(runEase(directory, "run sheet.toml -o whole").code == 0);
   REQUIRE(runEase(directory, "run sheet.toml --resume there").code == 0);
@@ -149,7 +149,7 @@ TEST_CASE("a run that goes on keeps the report and the picture before it until i
     CHECK(contentOf(there / "earlier_stretch.png") == picture);
     CHECK_THAT(contentOf(there / "report.json"), Contains("\"interrupted\": true"));
   }
-  writeScene(directory, readCheckpoint(there / "checkpoint.bin").run.done.all + 4);
+  writeScene(directory, readCheckpoint(there / "checkpoint.bin").run.done.total + 4);
   REQUIRE(runEase(directory, "run sheet.toml --resume there").code == 0);
   CHECK_FALSE(fs::exists(there / "earlier_report.json"));
   CHECK_FALSE(fs::exists(there / "earlier_stretch.png"));

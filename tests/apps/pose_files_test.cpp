@@ -43,8 +43,8 @@ TEST_CASE("a body's file that holds the garment, too, is refused as such") {
   both.triangles << kBox.triangles, kTube.triangles.array() + 8;
   files.write("first.obj", both);
   files.write("second.obj", both);
-  CHECK_THAT(files.errorOf(), Contains("first.obj: an open edge of it is one of the garment's") &&
-                                  Contains("is the garment in this file, too?"));
+  CHECK_THAT(files.errorOf(), Contains("first.obj: the body has an open edge that is also the garment's") &&
+                                  Contains("the file seems to hold the garment"));
 }
 
 TEST_CASE("a body inside out is turned over, one that is so in a single pose is the mirror image") {
@@ -126,7 +126,7 @@ TEST_CASE("poses of other size than a person's are warned of, and one of other s
   const Files files;
   for (const char* pose : {"first.obj", "second.obj"}) files.write(pose, box(0.2, 0.0, 4.0, true));
   const SceneInput input = files.read();
-  CHECK_THAT(input.warnings.at(0), Contains("first.obj: 4 m tall") && Contains("units?"));
+  CHECK_THAT(input.warnings.at(0), Contains("first.obj: the body is 4 m tall") && Contains("check unit"));
   TriangleMesh inches = box(0.2, 0.0, 4.0, true);
   inches.positions /= 0.0254;
   files.write("second.obj", inches);

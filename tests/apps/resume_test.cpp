@@ -245,7 +245,7 @@ TEST_CASE("a run that goes on elsewhere leaves nothing there of another run") {
   REQUIRE(runEase(directory, "run hang.toml --resume one -o other").code == 0);
   const std::string series = contentOf(directory.path / "other/garment.pvd");
   CHECK_THAT(series, Contains("timestep=\"0.03\"") && !Contains("timestep=\"0.005\""));
-  CHECK(readCheckpoint(directory.path / "other/checkpoint.bin").run.done.all == 12);
+  CHECK(readCheckpoint(directory.path / "other/checkpoint.bin").run.done.total == 12);
 }
 
 TEST_CASE("replays asked for after a run has ended are made") {

@@ -121,7 +121,7 @@ TEST_CASE("tools without boundaries, without a body or beside a finished garment
   CHECK_THAT(errorOf("solver = {steps = 1}\n[garment]\nmesh = 's.obj'\nresolution = 3000\n"),
              Contains("resolution = 3000: expected [[garment.boundary]] loops for 'resolution'"));
   CHECK_THAT(errorOf("solver = {steps = 1}\n[[garment.boundary]]\nname = 'top'\nvertices = [1, 2, 3]\n"),
-             EndsWith(":2: [garment] boundary: expected a [body] for it"));
+             EndsWith(":2: [garment] boundary: expected a [body] in this scene, which it needs"));
   CHECK_THAT(errorOf(kBody + "[garment]\nmesh = 's.obj'\n[[garment.boundary]]\nname = 'a'\nvertices = [1, 2, 3]\n"),
              Contains("mesh = 's.obj': expected either this or [[garment.boundary]] loops"));
   CHECK_THAT(errorOf(kBody + "[[garment.boundary]]\nname = 'a'\nvertices = [1, 2, 3]\n"),

@@ -40,9 +40,9 @@ class EaseJob(BatchCase):
         self.assertEqual((code, outcome["exit_code"], outcome["reason"]), (0, 1, "chest = 9: too much"))
 
     def test_a_doubtful_run_is_an_outcome_with_its_doubt(self):
-        code, outcome = self.job('echo "stretch says nothing: the garment left the body"; echo done; exit 3')
+        code, outcome = self.job('echo "stretch not to be trusted: the garment left the body"; echo done; exit 3')
         self.assertEqual((code, outcome["exit_code"]), (0, 3))
-        self.assertEqual(outcome["reason"], "stretch says nothing: the garment left the body")
+        self.assertEqual(outcome["reason"], "stretch not to be trusted: the garment left the body")
 
     def test_a_killed_job_leaves_no_outcome_so_that_it_is_tried_again(self):
         code, outcome = self.job("kill -9 $$")

@@ -23,7 +23,7 @@ std::vector<FuzzKind> fuzzKinds();
 enum class End {
   done,
   silent,    // done without a warning, although the damaged mesh has another size than the whole one
-  doubtful,  // done, and told that the figures say nothing
+  doubtful,  // done, and told that the figures cannot be trusted
   wrong_input,
   failed,
   not_tried,  // it asks for a long job, rightly

@@ -154,7 +154,7 @@ TEST_CASE("an impossible garment is refused with what was expected") {
   CHECK_THROWS_WITH(builtinGarment("kilt", 3000, kOffset),
                     "there is no built-in garment \"kilt\"; there are \"t-shirt\" and \"dress\"");
   CHECK_THROWS_WITH(builtinGarment("dress", 20, kOffset),
-                    "built-in garment \"dress\": vertices = 20, expected 300 to 100000");
+                    "vertices = 20: expected 300 to 100000 for the built-in garment 'dress'");
   CHECK_THROWS_WITH(builtinGarment("dress", 3000, 0.2),
-                    "built-in garment \"dress\": offset = 0.2 m, expected 0 to 0.05 m");
+                    "builtin = 'dress': [collision] offset = 0.2 m: expected 0 to 0.05 m");
 }

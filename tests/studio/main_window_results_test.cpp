@@ -38,4 +38,16 @@ void WindowTest::aRunCanBeCancelled() {
   dialog->close();
 }
 
+void WindowTest::theNextWindowIsAsLargeAsTheLast() {
+  QVERIFY(window_->save());
+  window_->showMaximized();
+  QTRY_VERIFY(window_->isMaximized());
+  QVERIFY(window_->close());
+  MainWindow next(Document::builtin((directory_.path() + "/next.toml").toStdString()));
+  next.showAsBefore();
+  QTRY_VERIFY(next.isMaximized());
+  keepOnScreen(next);
+  QVERIFY(next.isMaximized());
+}
+
 }  // namespace ease

@@ -27,6 +27,7 @@ class WindowTest : public WindowHands {
   void theSavedFileMakesTheSameGarment();
   void aRunCanBeCancelled();
   void nothingIsCutOffAtLargeText();
+  void theNextWindowIsAsLargeAsTheLast();
   void cleanupTestCase();
 };
 }  // namespace ease

@@ -79,7 +79,7 @@ TEST_CASE("a longer skirt is carried over to where the cloth is, another garment
   REQUIRE(studio.gesture(withExtension(studio.text(), -1, "hem", 0.15, 1.05), "extension"));
   studio.finishWork();
   INFO(studio.words());
-  CHECK(studio.words().find("goes on where the old one was") != std::string::npos);
+  CHECK(studio.words().find("goes on from where the old one was") != std::string::npos);
   CHECK(studio.frame()->steps == 18);
   CHECK(studio.frame()->garment.col(1).minCoeff() < 0.9);
   CHECK(studio.frame()->garment.col(0).maxCoeff() == Approx(sleeve).margin(0.03));  // the arms are still down

@@ -1,8 +1,13 @@
 #include "tests/studio/window_hands.h"
 
+#include <QSettings>
 #include <QtTest>
 
 namespace ease {
+
+WindowHands::WindowHands() {
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, directory_.path());
+}
 
 Vec3 WindowHands::onBody(const Vec3& point) const {
   const Stage& stage = window_->studio().stage;

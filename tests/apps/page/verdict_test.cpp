@@ -30,10 +30,10 @@ TEST_CASE("a fit within its target fits, one beyond stays too tight and says how
   CHECK_THAT(verdictHtml(same, tight), Contains("stay too tight") && Contains("25\u00a0% of them taut"));
 }
 
-TEST_CASE("a doubtful run says nothing, a sequential one was not checked, a simulation was not fitted") {
+TEST_CASE("a doubtful run is not to be trusted, a sequential one was not checked, a simulation was not fitted") {
   auto [scene, report] = fitted(0.0, 0.0);
   report.doubts = {"it fell"};
-  CHECK_THAT(verdictHtml(scene, report), Contains("says nothing about the fit: it fell"));
+  CHECK_THAT(verdictHtml(scene, report), Contains("of this fit cannot be trusted: it fell"));
   report.doubts.clear();
   report.verified = false;
   report.run.stretch.overall.share_over_limit = 0.238;

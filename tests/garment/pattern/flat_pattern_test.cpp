@@ -71,7 +71,7 @@ TEST_CASE("a piece far below the limit of shear shears more, so that its threads
 TEST_CASE("a piece that had to be opened to lie flat is told") {
   const FlatPattern pattern = flattenGarment(restGarment(cone(24, 6, 0.2, 0.3, false)), exactSettings());
   REQUIRE(pattern.warnings.size() == 1);
-  CHECK(pattern.warnings.front().find("was opened along '" + pattern.lines.front().seam.name + "'") !=
+  CHECK(pattern.warnings.front().find("was cut open along '" + pattern.lines.front().seam.name + "'") !=
         std::string::npos);
 }
 
@@ -86,6 +86,6 @@ TEST_CASE("a dart that was given where cloth lacks width is left out, and no pie
   CHECK(pattern.pieces.front().darts == 0);
   CHECK(pattern.lines.empty());
   CHECK(std::count(pattern.warnings.begin(), pattern.warnings.end(),
-                   "the dart 'bust dart' takes in no cloth on the paper, or leads across a seam, and was left out") ==
+                   "the dart 'bust dart' was left out: its legs do not open on the paper, or it leads across a seam") ==
         1);
 }

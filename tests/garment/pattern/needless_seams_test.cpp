@@ -14,6 +14,13 @@ TEST_CASE("flat cloth needs no seam, but keeps those that were given") {
   CHECK(neededSeams(garment, 1, {}, {}).front().name == "column");
 }
 
+TEST_CASE("a seam goes together with its mirror image, and stays where it has none") {
+  const TriangleMesh sheet = bentSheet(8, 1.0, [](double, double) { return 0.0; });
+  const double middle = 0.5 * (sheet.positions.col(0).minCoeff() + sheet.positions.col(0).maxCoeff());
+  CHECK(neededSeams(restGarment(sheet, {columnSeam(8, 2), columnSeam(8, 6)}), 0, {}, {}, middle).empty());
+  CHECK(neededSeams(restGarment(sheet, {columnSeam(8, 2)}), 0, {}, {}, middle).size() == 1);
+}
+
 TEST_CASE("a piece wider than the cloth keeps its seam") {
   const RestGarment garment = restGarment(bentSheet(8, 1.0, [](double, double) { return 0.0; }), {columnSeam(8, 4)});
   SewableSize narrow;
