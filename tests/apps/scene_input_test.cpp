@@ -45,7 +45,8 @@ TEST_CASE("a warning is told before what follows fails") {
   const auto tell = [&](const std::string& warning) { told.push_back(warning); };
   CHECK_THROWS_AS(readSceneInput(readScene(files.directory.write("scene.toml", toml)), tell), InputError);
   REQUIRE(told.size() == 1);
-  CHECK_THAT(told[0], Contains("first.obj: the body is 1700 m tall") && Contains("[body] unit = \"mm\" would make it 1.7 m"));
+  CHECK_THAT(told[0],
+             Contains("first.obj: the body is 1700 m tall") && Contains("[body] unit = \"mm\" would make it 1.7 m"));
 }
 
 TEST_CASE("a limit that was meant as a factor is warned of") {
