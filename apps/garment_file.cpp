@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "adaption/presence.h"
+#include "apps/weld_warnings.h"
 #include "apps/words.h"
 #include "solver/io/mesh_io.h"
 #include "solver/mesh/weld.h"
@@ -23,18 +24,8 @@ std::string readGarmentFile(const Scene& scene, const Warn& warn, SceneInput& in
   const Triangles triangles = trianglesOf(polygons, cutPolygons(polygons, name));
   const Weld weld = findWeld(triangles, {&polygons.points, 1}, scene.garment.weld || sharesNoVertices(path));
   input.garment = {welded(polygons.points, weld), welded(triangles, weld)};
-  if (weld.left_open > 0)
-    warn(fmt::format(
-        "{}: {} lie at the place of another one and could not be welded: their triangles face opposite ways, "
-        "or more than two meet there; what they should join falls apart",
-        name, counted(weld.left_open, "open edge")));
+  warnOfWeld(weld, name, "garment", warn);
   if (sharesNoVertices(path) || weld.changesNothing()) return name;
-  if (weld.welded > 0)
-    warn(
-        fmt::format("{}: {} lay at the place of another one along open edges and were welded to it ([garment] weld = "
-                    "false keeps them apart)",
-                    name, counted(weld.welded, "vertex")));
-  if (weld.unused > 0) warn(fmt::format("{}: left out {} that no triangle uses", name, counted(weld.unused, "vertex")));
   input.as_read = GarmentAsRead{{std::move(polygons.points), triangles}, weld.vertex};
   return name;
 }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "apps/mesh_list.h"
+#include "apps/weld_warnings.h"
 #include "apps/words.h"
 #include "collision/body/rigid_alignment.h"
 #include "collision/triangle_tree.h"
@@ -74,19 +75,8 @@ Files readFiles(const Scene& scene, const Pause& pause) {
 
 void weldPoses(const Scene& scene, const Warn& warn, Files& files) {
   const Weld weld = findWeld(files.triangles, files.poses, scene.body->weld);
-  if (weld.left_open > 0)
-    warn(fmt::format(
-        "{}: {} lie at the place of another one and could not be welded: their triangles face opposite ways, "
-        "or more than two meet there",
-        files.names.front(), counted(weld.left_open, "open edge")));
+  warnOfWeld(weld, files.names.front(), "body", warn);
   if (weld.changesNothing()) return;
-  if (weld.welded > 0 && !sharesNoVertices(files.names.front()))
-    warn(fmt::format(
-        "{}: {} lay at the place of another one along open edges and were welded to it ([body] weld = false "
-        "keeps them apart)",
-        files.names.front(), counted(weld.welded, "vertex")));
-  if (weld.unused > 0)
-    warn(fmt::format("{}: left out {} that no triangle uses", files.names.front(), counted(weld.unused, "vertex")));
   files.triangles = welded(files.triangles, weld);
   for (Positions& pose : files.poses) pose = welded(pose, weld);
 }

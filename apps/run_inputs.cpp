@@ -2,19 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "apps/fingerprint.h"
+#include "solver/base/whole_file.h"
 
 namespace ease {
 
 namespace {
-
-std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 std::string hashOf(const std::string& text) {
   return fmt::format("{:016x}", fingerprint(text.data(), text.size()));

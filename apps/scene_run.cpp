@@ -10,8 +10,7 @@ namespace ease {
 
 namespace {
 
-constexpr double kBeyondComfort = 0.025;  // m: width beyond the comfort offset where level sets are exact
-constexpr int kDefaultInterval = 8;       // time steps between measurements by default
+constexpr int kDefaultInterval = 8;  // time steps between measurements by default
 
 double bodyMotion(const Scene& scene, const SceneInput& input) {
   return bodyMotionPerStep(replaySchedule(scene), input.body_triangles, input.poses, input.garment.positions);

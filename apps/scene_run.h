@@ -6,6 +6,9 @@
 
 namespace ease {
 
+/// Width beyond the comfort offset where level sets are exact, m.
+constexpr double kBeyondComfort = 0.025;
+
 /// Returns the schedule of the run that adapts the garment and writes its frames.
 Schedule adaptingSchedule(const Scene& scene);
 /// Returns the schedule of a replay: the motion once, without adaption and without frames.

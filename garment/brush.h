@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "solver/mesh/segment.h"
 #include "solver/mesh/triangle_mesh.h"
 
 namespace ease {
@@ -19,13 +20,8 @@ struct Brush {
 /// Distance from `x` to the brush's centre or, of a stroke, to the line along which that moves, m.
 inline double distanceTo(const Brush& brush, const Vec3& x) {
   double nearest = (x - brush.at).norm();
-  for (size_t k = 1; k < brush.stroke.size(); ++k) {
-    const Vec3& from = brush.stroke[k - 1];
-    const Vec3 way = brush.stroke[k] - from;
-    const double square = way.squaredNorm();
-    const double part = square > 0.0 ? std::clamp((x - from).dot(way) / square, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, (x - from - part * way).norm());
-  }
+  for (size_t k = 1; k < brush.stroke.size(); ++k)
+    nearest = std::min(nearest, distanceToSegment(brush.stroke[k - 1], brush.stroke[k], x));
   return nearest;
 }
 

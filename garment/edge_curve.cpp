@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "solver/mesh/segment.h"
+
 namespace ease {
 namespace {
 
@@ -50,13 +52,6 @@ struct IsolineWalk {
   }
 };
 
-double segmentDistance(const Vec3& a, const Vec3& b, const Vec3& x) {
-  const Vec3 ab = b - a;
-  const double length2 = ab.squaredNorm();
-  const double s = length2 > 0.0 ? std::clamp(ab.dot(x - a) / length2, 0.0, 1.0) : 0.0;
-  return (a + s * ab - x).norm();
-}
-
 }  // namespace
 
 std::vector<Vec3> placed(const EdgeCurve& curve, const Positions& positions) {
@@ -74,8 +69,9 @@ double polygonLength(std::span<const Vec3> points, bool is_closed) {
 
 double polygonDistance(std::span<const Vec3> points, bool is_closed, const Vec3& x) {
   double least = std::numeric_limits<double>::infinity();
-  if (is_closed && !points.empty()) least = segmentDistance(points.back(), points.front(), x);
-  for (size_t i = 0; i + 1 < points.size(); ++i) least = std::min(least, segmentDistance(points[i], points[i + 1], x));
+  if (is_closed && !points.empty()) least = distanceToSegment(points.back(), points.front(), x);
+  for (size_t i = 0; i + 1 < points.size(); ++i)
+    least = std::min(least, distanceToSegment(points[i], points[i + 1], x));
   return least;
 }
 

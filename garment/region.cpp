@@ -11,15 +11,12 @@
 #include "collision/triangle_tree.h"
 #include "garment/nearness.h"
 #include "solver/base/error.h"
+#include "solver/mesh/topology.h"
 
 namespace ease {
 namespace {
 
 using EdgeKey = std::array<int, 2>;
-
-EdgeKey edgeKey(int a, int b) {
-  return {std::min(a, b), std::max(a, b)};
-}
 
 std::set<EdgeKey> edgesAlong(const std::vector<int>& loop) {
   std::set<EdgeKey> edges;

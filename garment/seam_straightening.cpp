@@ -5,6 +5,7 @@
 
 #include "collision/triangle_tree.h"
 #include "solver/base/parallel.h"
+#include "solver/mesh/segment.h"
 
 namespace ease {
 namespace {
@@ -80,9 +81,7 @@ Vec3 nearestOn(const SeamLine& line, const Vec3& x) {
   Vec3 nearest = line.points.front();
   const size_t n = line.points.size();
   for (size_t i = 0; i + (line.is_closed ? 0 : 1) < n; ++i) {
-    const Vec3 &a = line.points[i], ab = line.points[(i + 1) % n] - a;
-    const double length2 = ab.squaredNorm();
-    const Vec3 p = length2 > 0.0 ? Vec3(a + std::clamp(ab.dot(x - a) / length2, 0.0, 1.0) * ab) : a;
+    const Vec3 p = nearestOnSegment(line.points[i], line.points[(i + 1) % n], x);
     if ((p - x).squaredNorm() < (nearest - x).squaredNorm()) nearest = p;
   }
   return nearest;

@@ -84,4 +84,13 @@ double lightness(const Rgb& color) {
   return toOklab(color)[0];
 }
 
+double tickStep(double range, int intervals) {
+  const double least = range / intervals;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least) return factor * power;
+  }
+  return 10 * power;
+}
+
 }  // namespace ease

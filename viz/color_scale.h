@@ -34,4 +34,7 @@ class ColorScale {
 /// Returns the lightness of a colour in Oklab: 0 is black, 1 is white.
 double lightness(const Rgb& color);
 
+/// The smallest step of 1, 2 or 5 times a power of ten that divides `range` into at most `intervals` parts.
+double tickStep(double range, int intervals);
+
 }  // namespace ease

@@ -61,21 +61,6 @@ void Overlay::boxes(const std::vector<Box>& boxes, const std::vector<Rgb>& color
   renderer_->AddViewProp(actor);
 }
 
-namespace {
-
-/// Returns the distance of the scale's ticks: 1, 2 or 5 times a power of ten, large enough that `range` has at most
-/// `intervals` of them.
-double tickStep(double range, int intervals) {
-  const double least = range / intervals;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= least) return factor * power;
-  }
-  return 10 * power;
-}
-
-}  // namespace
-
 void drawScaleBar(Overlay& overlay, const ColorScale& scale, const std::string& label, const Box& box) {
   const Rgb ink = {40, 44, 48};
   const double range = scale.high() - scale.low();

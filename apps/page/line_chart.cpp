@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viz/color_scale.h"
+
 namespace ease {
 
 namespace {
@@ -58,13 +60,6 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-double roundStep(double range, int count) {
-  const double power = std::pow(10.0, std::floor(std::log10(range / count)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (range / (step * power) <= count) return step * power;
-  return 10.0 * power;
-}
-
 std::string toSvg(const LineChart& chart) {
   const Range x = rangeOf(chart, true), y = rangeOf(chart, false);
   const auto at_x = [&](double value) { return kLeft + x.share(value) * (kWidth - kLeft - kRight); };
@@ -72,7 +67,7 @@ std::string toSvg(const LineChart& chart) {
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n", kWidth, kHeight,
                                 escaped(chart.title));
   svg += fmt::format("<text class=\"title\" x=\"{}\" y=\"16\">{}</text>\n", kLeft, escaped(chart.title));
-  const double y_step = roundStep(y.high - y.low, 5), x_step = roundStep(x.high - x.low, 6);
+  const double y_step = tickStep(y.high - y.low, 5), x_step = tickStep(x.high - x.low, 6);
   for (double value = std::ceil(y.low / y_step) * y_step; value <= y.high; value += y_step)
     svg +=
         fmt::format("<path class=\"grid\" d=\"M{} {:.1f}H{}\"/><text x=\"{}\" y=\"{:.1f}\" class=\"y\">{:.4g}</text>\n",

@@ -23,9 +23,6 @@ struct LineChart {
 /// finite are left out.
 std::string toSvg(const LineChart& chart);
 
-/// The smallest step of 1, 2 or 5 times a power of ten that divides `range` into at most `count` parts.
-double roundStep(double range, int count);
-
 /// The text with <, >, & and quotes as HTML and SVG want them.
 std::string escaped(const std::string& text);
 

@@ -1,7 +1,5 @@
 #include "apps/page/pattern_in_page.h"
 
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "apps/page/line_chart.h"
@@ -11,12 +9,6 @@
 namespace ease {
 
 namespace {
-
-std::string contentOf(const std::filesystem::path& file) {
-  std::ostringstream content;
-  content << std::ifstream(file, std::ios::binary).rdbuf();
-  return content.str();
-}
 
 std::string figureOf(const std::filesystem::path& picture, const std::string& caption) {
   const std::string bytes = contentOf(picture);

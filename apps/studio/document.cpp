@@ -1,8 +1,5 @@
 #include "apps/studio/document.h"
 
-#include <fstream>
-#include <iterator>
-
 #include "solver/base/error.h"
 #include "solver/base/whole_file.h"
 
@@ -35,11 +32,6 @@ limit = 0.08
 [output]
 every = 4
 )";
-
-std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 }  // namespace
 

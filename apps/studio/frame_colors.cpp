@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "apps/run_pictures.h"
 #include "garment/pieces.h"
 
 namespace ease {
@@ -13,10 +14,9 @@ namespace {
 constexpr double kMaxPressure = 2000.0;  // Pa: about what a tight waistband presses with
 constexpr double kMaxEase = 50.0;        // mm
 constexpr double kMaxShownGrowth = 1.5;  // area over area
-constexpr double kUsualLimit = 0.1;
 
 double limitOf(const Scene& scene) {
-  return scene.adaption ? scene.adaption->limit : kUsualLimit;
+  return scene.adaption ? scene.adaption->limit : kShownStretch;
 }
 
 /// Mean of the triangle's corners.

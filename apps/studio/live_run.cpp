@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "apps/painted_rest.h"
+#include "apps/run_pictures.h"
 #include "apps/scene_run.h"
 #include "apps/studio/carry_over.h"
 #include "garment/paint.h"
@@ -15,11 +16,9 @@ namespace ease {
 
 namespace {
 
-constexpr double kBeyondComfort = 0.025;  // m: width beyond the comfort offset where level sets are exact
 constexpr double kRoomForComfort = 0.02;  // m: comfort offset up to which the body need not be made anew
 constexpr double kEnoughTied = 0.3;       // share of the new vertices on the old mesh; with fewer it is another garment
-constexpr double kUsualLimit = 0.1;
-constexpr int kPaintIterations = 60;  // they move vertices by less than .1 mm by then; starting over makes them all
+constexpr int kPaintIterations = 60;      // they move vertices by less than .1 mm by then; starting over makes them all
 
 }  // namespace
 
@@ -28,7 +27,7 @@ LiveRun::LiveRun(std::shared_ptr<const MadeGarment> made) : made_(std::move(made
 }
 
 double LiveRun::limit() const {
-  return made_->scene.adaption ? made_->scene.adaption->limit : kUsualLimit;
+  return made_->scene.adaption ? made_->scene.adaption->limit : kShownStretch;
 }
 
 double LiveRun::largestOffset() const {
@@ -174,7 +173,7 @@ std::string LiveRun::change(std::shared_ptr<const MadeGarment> made) {
 std::string LiveRun::changeInPlace(const MadeGarment& before) {
   const std::vector<PinAnchor> anchors = pins_.anchors();
   const bool same_material = before.scene.material == made_->scene.material;
-  const auto limit = [](const Scene& scene) { return scene.adaption ? scene.adaption->limit : kUsualLimit; };
+  const auto limit = [](const Scene& scene) { return scene.adaption ? scene.adaption->limit : kShownStretch; };
   const bool same_settings = same_material && limit(before.scene) == limit(made_->scene) &&
                              before.scene.collision.friction == made_->scene.collision.friction &&
                              before.scene.collision.offset == made_->scene.collision.offset;

@@ -126,6 +126,7 @@ void MainWindow::sync() {
   }
   play_->setChecked(studio_->simulation().plays());
   adapt_->setChecked(studio_->adapts());
+  tour_->setChecked(studio_->isOnTour());
   if (poses_->currentRow() != studio_->pose()) poses_->setCurrentRow(studio_->pose());
   undo_->setEnabled(studio_->document().canUndo() || (tool_ && tool_->isDrawing()));
   redo_->setEnabled(studio_->document().canRedo());

@@ -101,7 +101,7 @@ class MainWindow : public QMainWindow {
   ScenePanel* scene_text_ = nullptr;
   QProgressBar* way_ = nullptr;
   QActionGroup *tools_ = nullptr, *shown_ = nullptr;
-  QAction *play_ = nullptr, *adapt_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
+  QAction *play_ = nullptr, *adapt_ = nullptr, *tour_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
   QTimer timer_;
   QElapsedTimer clock_, since_frame_;
   QString status_text_;

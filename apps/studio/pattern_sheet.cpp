@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/base/error.h"
+#include "solver/mesh/segment.h"
 #include "viz/vtp_arrays.h"
 
 namespace ease {
@@ -80,11 +81,8 @@ Json readJson(const std::filesystem::path& file) {
 
 double distanceTo(const std::vector<PaperPoint>& line, const PaperPoint& point) {
   double nearest = INFINITY;
-  for (size_t i = 0; i + 1 < line.size(); ++i) {
-    const PaperPoint ab = line[i + 1] - line[i];
-    const double along = std::clamp(ab.dot(point - line[i]) / std::max(ab.squaredNorm(), 1e-12), 0.0, 1.0);
-    nearest = std::min(nearest, (line[i] + along * ab - point).norm());
-  }
+  for (size_t i = 0; i + 1 < line.size(); ++i)
+    nearest = std::min(nearest, distanceToSegment(line[i], line[i + 1], point));
   return nearest;
 }
 

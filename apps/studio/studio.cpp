@@ -164,6 +164,8 @@ bool Studio::poll() {
   }
   if (std::optional<LiveFrame> frame = simulation_->takeFrame()) {
     putOnStage(std::move(*frame));
+    if (is_on_tour_ && frame_ && frame_->pose == pose_ && frame_->way >= 1.0)
+      goTo((pose_ + 1) % static_cast<int>(body_.poses.size()));
     is_new = true;
   }
   for (const std::string& message : simulation_->takeMessages()) {
@@ -220,6 +222,15 @@ void Studio::goTo(int pose) {
     if (run) run->goTo(pose);
     return "the body goes to pose '" + name + "'";
   });
+}
+
+void Studio::tour(bool goes_on) {
+  if (goes_on && (!stage.hasCloth() || body_.poses.size() < 2))
+    return refuse(stage.hasCloth() ? "the scene has one pose only" : "there is no garment yet that could move along");
+  is_on_tour_ = goes_on;
+  if (!goes_on) return say("the body stays at pose '" + body_.pose_names[pose_] + "'");
+  if (!simulation_->plays()) play(true);
+  goTo((pose_ + 1) % static_cast<int>(body_.poses.size()));
 }
 
 void Studio::setAdapting(bool adapts) {

@@ -76,6 +76,9 @@ class Studio {
   void step(int steps = 1);
   void startOver();
   void goTo(int pose);
+  /// Whether the body goes on to the next pose, after the last to the first, as soon as it has reached one.
+  void tour(bool goes_on);
+  bool isOnTour() const { return is_on_tour_; }
   void setAdapting(bool adapts);
   bool adapts() const { return adapts_; }
   int pose() const { return pose_; }
@@ -111,6 +114,7 @@ class Studio {
   std::unique_ptr<Simulation> simulation_;
   std::optional<LiveFrame> frame_;
   bool adapts_ = false;
+  bool is_on_tour_ = false;
   int pose_ = 0, text_revision_ = 0, mesh_revision_ = 0;
 };
 

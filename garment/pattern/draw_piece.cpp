@@ -7,6 +7,7 @@
 
 #include "garment/pattern/notches.h"
 #include "garment/pattern/sew_line.h"
+#include "solver/mesh/segment.h"
 
 namespace ease {
 namespace {
@@ -59,10 +60,9 @@ double depthWithin(const PaperPoint& x, const std::vector<PaperPoint>& line) {
   double nearest = INFINITY;
   bool is_inside = false;
   for (size_t i = 0; i < line.size(); ++i) {
-    const PaperPoint &a = line[i], &b = line[(i + 1) % line.size()], ab = b - a;
-    const double along = std::clamp(ab.dot(x - a) / std::max(ab.squaredNorm(), 1e-12), 0.0, 1.0);
-    nearest = std::min(nearest, (a + along * ab - x).norm());
-    if ((a.y() > x.y()) != (b.y() > x.y()) && x.x() < a.x() + (x.y() - a.y()) / (b.y() - a.y()) * ab.x())
+    const PaperPoint &a = line[i], &b = line[(i + 1) % line.size()];
+    nearest = std::min(nearest, distanceToSegment(a, b, x));
+    if ((a.y() > x.y()) != (b.y() > x.y()) && x.x() < a.x() + (x.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
       is_inside = !is_inside;
   }
   return is_inside ? nearest : -nearest;

@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "garment/seam.h"
+#include "solver/mesh/topology.h"
 
 namespace ease {
-
-inline std::array<int, 2> edgeKey(int a, int b) {
-  return {std::min(a, b), std::max(a, b)};
-}
 
 using EdgeSet = std::set<std::array<int, 2>>;  // by their ends, the smaller first
 

@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "solver/base/parallel.h"
+#include "solver/mesh/segment.h"
 
 namespace ease {
 namespace {
@@ -35,12 +36,6 @@ double arrival(const Vec2& a, const Vec2& b, const Vec2& x, double da, double db
   double at = slope >= 1.0 ? 0.0 : slope <= -1.0 ? length : foot - slope * height / std::sqrt(1.0 - slope * slope);
   at = std::clamp(at, 0.0, length);
   return da + slope * at + std::hypot(foot - at, height);
-}
-
-double distanceToSegment(const Vec2& a, const Vec2& b, const Vec2& x) {
-  const Vec2 ab = b - a;
-  const double length2 = ab.squaredNorm();
-  return (a + (length2 > 0.0 ? std::clamp(ab.dot(x - a) / length2, 0.0, 1.0) : 0.0) * ab - x).norm();
 }
 
 /// Distances to the border of one label, of the vertices of the triangles that it crosses; else infinite.

@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 #include "solver/base/error.h"
 #include "solver/base/joined.h"
@@ -46,6 +48,11 @@ void writeWholeFile(const std::filesystem::path& file, std::string_view bytes) {
   if (error == 0) return;
   ::unlink(temporary.c_str());
   throw ComputationError(joined("cannot write ", file.string(), ": ", std::strerror(error)));
+}
+
+std::string contentOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace ease

@@ -10,6 +10,7 @@
 //        opposite[1]
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -32,6 +33,11 @@ struct Topology {
   Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor> triangle_edges;  // edge opposite to each corner
   std::vector<std::vector<int>> boundary_loops;  // vertices in order along the boundary, longest loop (m) first
 };
+
+/// The edge between two vertices as a key for sets and maps: the smaller number first.
+inline std::array<int, 2> edgeKey(int a, int b) {
+  return {std::min(a, b), std::max(a, b)};
+}
 
 /// Throws InputError, naming `name` and the edge's vertices, where an edge has more than two triangles, where two
 /// adjacent triangles have opposite orientations, or where a vertex joins two fans of triangles that share no edge

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include "solver/base/error.h"
 #include "tests/apps/temporary_directory.h"
@@ -11,25 +10,16 @@
 namespace fs = std::filesystem;
 using Catch::Contains;
 
-namespace {
-
-std::string contents(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-}  // namespace
-
 TEST_CASE("a file holds exactly the bytes written, and none of its earlier ones") {
   const ease::TemporaryDirectory directory;
   const fs::path file = directory.path / "frame.vtp";
   const std::string bytes("a\0b\r\n\xff", 6);
   for (const std::string& written : {std::string(100'000, 'x'), bytes, std::string()}) {
     ease::writeWholeFile(file, written);
-    CHECK(contents(file) == written);
+    CHECK(ease::contentOf(file) == written);
   }
   CHECK(std::distance(fs::directory_iterator(directory.path), {}) == 1);
+  CHECK(ease::contentOf(directory.path / "missing").empty());
 }
 
 TEST_CASE("the temporary name differs from the file's and lies in the same folder") {
@@ -41,7 +31,7 @@ TEST_CASE("a temporary file left by an interrupted run is replaced") {
   const fs::path file = directory.path / "frame.vtp";
   std::ofstream(ease::temporaryName(file)) << "cut short, and longer than what follows";
   ease::writeWholeFile(file, "whole");
-  CHECK(contents(file) == "whole");
+  CHECK(ease::contentOf(file) == "whole");
   CHECK_FALSE(fs::exists(ease::temporaryName(file)));
 }
 

@@ -2,10 +2,13 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <cstdlib>
 #include <random>
+#include <thread>
 
 #include "apps/studio/parts.h"
+#include "solver/base/stopwatch.h"
 #include "tests/studio/hands.h"
 
 namespace ease {
@@ -67,6 +70,37 @@ TEST_CASE("the body goes to another pose from where it is, and turns back half w
   studio.finishWork();
   CHECK(studio.frame()->way == 1.0);
   CHECK((studio.frame()->body - studio.stage.firstPose()).rowwise().norm().maxCoeff() < 1e-6);
+}
+
+TEST_CASE("the body goes through all poses and back to the first until it is told to stay") {
+  Hands hands(smallTop());
+  Studio& studio = hands.studio;
+  studio.tour(true);
+  CHECK(studio.isOnTour());
+  CHECK(studio.simulation().plays());
+  const auto comesTo = [&](int pose) {
+    const auto start = std::chrono::steady_clock::now();
+    while (secondsSince(start) < 60.0) {
+      studio.simulation().wantFrame(false);
+      studio.poll();
+      if (studio.frame() && studio.frame()->pose == pose && studio.frame()->way > 0.5) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+  };
+  CHECK(comesTo(1));
+  CHECK(comesTo(0));
+  CHECK(comesTo(1));
+  studio.tour(false);
+  CHECK_FALSE(studio.isOnTour());
+  studio.play(false);
+}
+
+TEST_CASE("a tour needs a garment") {
+  Hands hands(kSmallDraft);
+  hands.studio.tour(true);
+  CHECK(hands.studio.isRefusal());
+  CHECK_FALSE(hands.studio.isOnTour());
 }
 
 TEST_CASE("a longer skirt is carried over to where the cloth is, another garment starts over") {

@@ -18,6 +18,13 @@ double hue(const ease::Rgb& color) {
 
 }  // namespace
 
+TEST_CASE("the steps of a scale are round and few") {
+  CHECK(ease::tickStep(1.0, 5) == Approx(0.2));
+  CHECK(ease::tickStep(9.0, 5) == Approx(2.0));
+  CHECK(ease::tickStep(0.013, 5) == Approx(0.005));
+  CHECK(ease::tickStep(600.0, 6) == Approx(100.0));
+}
+
 TEST_CASE("lightness falls all along the scale, so that a print in grey can be read") {
   const ease::ColorScale scale(0.95, 1.3, 1.09);
   double before = 2.0;

@@ -6,13 +6,6 @@
 using namespace ease;
 using Catch::Matchers::Contains;
 
-TEST_CASE("a chart's steps are round and few") {
-  CHECK(roundStep(1.0, 5) == Approx(0.2));
-  CHECK(roundStep(9.0, 5) == Approx(2.0));
-  CHECK(roundStep(0.013, 5) == Approx(0.005));
-  CHECK(roundStep(600.0, 6) == Approx(100.0));
-}
-
 TEST_CASE("a chart draws its lines from corner to corner, its limit and its words, and leaves out what is not finite") {
   const LineChart chart{"a < b",
                         "time, s",
