@@ -54,15 +54,17 @@ void printSummary(const Scene& scene, const SceneInput& input) {
   for (const std::vector<int>& vertices : input.pins) pinned += vertices.size();
   fmt::print("{}\n", scene.name);
   const size_t loops = topology.boundary_loops.size();
-  fmt::print("  garment   {} vertices, {} triangles, {} boundary loop{}, {} pinned vertices\n",
-             input.garment.positions.rows(), input.garment.triangles.rows(), loops, loops == 1 ? "" : "s", pinned);
+  fmt::print("  garment   {} vertices, {} triangles, {} boundary loop{}, {} pinned\n", input.garment.positions.rows(),
+             input.garment.triangles.rows(), loops, loops == 1 ? "" : "s",
+             counted(static_cast<long>(pinned), "vertex"));
   for (size_t p = 0; p < input.pins.size(); ++p) {
     Vec3 sum = Vec3::Zero();
     for (const int v : input.pins[p]) sum += input.garment.positions.row(v).transpose();
     const Vec3 mean = sum / static_cast<double>(std::max<size_t>(input.pins[p].size(), 1));
     const auto* loop = std::get_if<std::string>(&scene.garment.pins[p].what);
-    fmt::print("            pin {}{}: {} vertices about ({:.3f}, {:.3f}, {:.3f})\n", p + 1,
-               loop ? fmt::format(", loop \"{}\"", *loop) : "", input.pins[p].size(), mean.x(), mean.y(), mean.z());
+    fmt::print("            pin {}{}: {} about ({:.3f}, {:.3f}, {:.3f})\n", p + 1,
+               loop ? fmt::format(", loop \"{}\"", *loop) : "",
+               counted(static_cast<long>(input.pins[p].size()), "vertex"), mean.x(), mean.y(), mean.z());
   }
   printParts(input.garment);
   if (scene.body) {

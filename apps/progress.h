@@ -1,5 +1,5 @@
-// Progress of a long computation, with the time left.  On a terminal one line is updated in place; elsewhere, such as
-// in a log file, a new line is printed from time to time.
+// Progress of a long computation, with the time that is left at most.  On a terminal one line is updated in place;
+// elsewhere, such as in a log file, a new line is printed from time to time.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@ namespace ease {
 
 class Progress {
  public:
-  /// Starts to report on `total` units of work; prints on standard error.
+  /// Starts to report on at most `total` units of work; prints on standard error.
   explicit Progress(long total);
   ~Progress();  // ends the line
 

@@ -36,6 +36,9 @@ CutsScene readCuts(const TomlTable& table) {
   table.allow({"method", "distortion_weight", "length_weight", "steps", "keep", "symmetric", "remove", "straighten"});
   CutsScene cuts;
   cuts.finds = table.choice("method", "variational", {"variational", "none"}) == "variational";
+  for (const std::string& key : table.keys())
+    if (!cuts.finds && key != "method")
+      table.refuse(key, "no such key with method = 'none': it belongs to method = 'variational'");
   CutSettings& settings = cuts.settings;
   settings.flow.weights.distortion =
       table.number("distortion_weight", settings.flow.weights.distortion, {0.0, 1e4, true, ""});
@@ -82,6 +85,8 @@ PatternScene readPattern(const TomlTable& table) {
     if (std::find(known.begin(), known.end(), format) == known.end())
       table.refuse("formats", "some of " + listWords(known) + "; '" + format + "' is none of them");
   pattern.check = table.boolean("check", pattern.check);
+  if (!pattern.check && table.has("let_out"))
+    table.refuse("let_out", "no such key with check = false: the garment that is checked is let out");
   pattern.let_out = table.integer("let_out", pattern.let_out, 0, 20);
   if (const auto cuts = table.table("cuts")) pattern.cuts = readCuts(*cuts);
   for (const TomlTable& piece : table.tables("piece")) {

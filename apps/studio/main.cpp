@@ -29,7 +29,8 @@ int main(int argc, char** argv) {
     auto* window = new ease::MainWindow(std::move(document));
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->showAsBefore();
-    QTimer::singleShot(100, window, [window] {  // once the frame around it is known
+    QTimer::singleShot(1000, window, [window] { ease::keepOnScreen(*window); });  // a slow window system's frame
+    QTimer::singleShot(100, window, [window] {                                    // once the frame around it is known
       ease::keepOnScreen(*window);
       window->offerUnsavedWork();
     });

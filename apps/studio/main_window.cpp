@@ -108,7 +108,9 @@ void MainWindow::tick() {
   frames_per_s_ = static_cast<double>(drawn - drawn_before_) / seconds;
   steps_before_ = made;
   drawn_before_ = drawn;
-  report_->setText(studio_->frame() ? reportText(*studio_->frame(), steps_per_s_, frames_per_s_) : "No garment yet.");
+  report_->setText(studio_->frame()      ? reportText(*studio_->frame(), steps_per_s_, frames_per_s_)
+                   : studio_->isMaking() ? "The garment is being made ..."
+                                         : "No garment yet.");
 }
 
 void MainWindow::sync() {

@@ -110,7 +110,9 @@ void RunDialog::interrupt() {
 void RunDialog::readProgress() {
   said_ += QString::fromUtf8(process_.readAll());
   const QStringList lines = said_.split('\n', Qt::SkipEmptyParts);
-  const QString last = lines.isEmpty() ? QString("Making the garment and simulating ...") : lines.back().trimmed();
+  const QString last = lines.isEmpty() ? QString(commands_.front() == "run" ? "Making the garment and simulating ..."
+                                                                            : "Flattening the pieces ...")
+                                       : lines.back().simplified();
   bool is_share = false;
   const int share = last.section('%', 0, 0).trimmed().toInt(&is_share);
   if (is_share && last.contains('%')) {
@@ -151,12 +153,18 @@ QString RunDialog::wordsOfResult() const {
     return report["sigma_1"].toObject()[which].toObject()["share_over_limit"].toDouble(-1.0);
   };
   const QJsonObject sewn = report["pattern"].toObject()["resewn"].toObject();
-  if (commands_.front() == "pattern" && !sewn.isEmpty())
-    text += QString(
-                "\nSewn from these pieces the garment lies %1 mm from the designed one (RMS), %2 mm at most; the "
-                "picture shows where")
-                .arg(sewn["rms_mm"].toDouble(), 0, 'f', 1)
-                .arg(sewn["max_mm"].toDouble(), 0, 'f', 0);
+  if (commands_.front() == "pattern" && !sewn.isEmpty()) {
+    text += "\nThe garment sewn from these pieces, from the designed one:";
+    const auto add = [&](const QString& where, const QJsonObject& distance) {
+      text += QString("\n%1: %2 mm (RMS), %3 mm at most")
+                  .arg(where)
+                  .arg(distance["rms_mm"].toDouble(), 0, 'f', 1)
+                  .arg(distance["max_mm"].toDouble(), 0, 'f', 0);
+    };
+    const QJsonArray poses = sewn["poses"].toArray();
+    if (poses.size() != 1) add("held on the first pose", sewn);
+    for (const QJsonValue& pose : poses) add("in pose " + pose["pose"].toString(), pose.toObject());
+  }
   if (commands_.front() == "pattern" && sewn["share_over_limit"].isDouble())
     text += "\nTriangles over the limit once sewn: " + percent(sewn["share_over_limit"].toDouble());
   if (commands_.front() == "run" && share("before") >= 0.0 && share("after") >= 0.0)
@@ -175,7 +183,8 @@ QString RunDialog::wordsOfResult() const {
 void RunDialog::showResult() {
   text_->setText((was_ended_ ? "It was ended before it was done. " : "") + wordsOfResult());
   const QPixmap stretch(directory_ + (commands_.front() == "run" ? "/stretch.png" : "/pattern_resewn.png"));
-  const QSize room = (screen()->availableGeometry().size() - QSize(100, 320)).boundedTo({960, 600});
+  const int words = text_->heightForWidth(minimumWidth()) + 9 * fontMetrics().height();  // buttons and frame, too
+  const QSize room = (screen()->availableGeometry().size() - QSize(100, words)).boundedTo({960, 600});
   if (!stretch.isNull())
     picture_->setPixmap(stretch.scaled(room * devicePixelRatioF(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
   page_->setVisible(QFileInfo::exists(directory_ + "/fit.html"));

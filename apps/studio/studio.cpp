@@ -228,7 +228,7 @@ void Studio::tour(bool goes_on) {
   if (goes_on && (!stage.hasCloth() || body_.poses.size() < 2))
     return refuse(stage.hasCloth() ? "the scene has one pose only" : "there is no garment yet that could move along");
   is_on_tour_ = goes_on;
-  if (!goes_on) return say("the body stays at pose '" + body_.pose_names[pose_] + "'");
+  if (!goes_on) return say("the body goes on to pose '" + body_.pose_names[pose_] + "' and stays there");
   if (!simulation_->plays()) play(true);
   goTo((pose_ + 1) % static_cast<int>(body_.poses.size()));
 }

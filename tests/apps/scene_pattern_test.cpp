@@ -25,7 +25,7 @@ TEST_CASE("the keys of [pattern] are read") {
   const PatternScene pattern =
       sceneOf(kCloth +
               "[pattern]\nthread_limit = 0.03\nshear_limit = 10\nshare = 0.9\ndarts = 2\nfabric_width = 0.9\n"
-              "paper = 'letter'\ngrain = 'free'\nformats = ['svg']\ncheck = false\nlet_out = 1\n"
+              "paper = 'letter'\ngrain = 'free'\nformats = ['svg']\ncheck = false\n"
               "[pattern.allowance]\ndefault = 0.012\nhem = 0.03\n[[pattern.piece]]\nname = 'front'\nat = [0, 1, 0.1]\n")
           .pattern;
   CHECK(pattern.limits.thread == 0.03);
@@ -37,7 +37,7 @@ TEST_CASE("the keys of [pattern] are read") {
   CHECK(paperNamed(pattern.paper).width == Approx(215.9));
   CHECK(pattern.formats == std::vector<std::string>{"svg"});
   CHECK_FALSE(pattern.check);
-  CHECK(pattern.let_out == 1);
+  CHECK(sceneOf(kCloth + "[pattern]\nlet_out = 1\n").pattern.let_out == 1);
   CHECK(pattern.allowances.all == 0.012);
   CHECK(pattern.allowances.by_name.at("hem") == 0.03);
   REQUIRE(pattern.names.size() == 1);
@@ -56,10 +56,12 @@ TEST_CASE("the keys of [pattern.cuts] are read, and are absent without the table
   CHECK(defaults.settings.remove);
   CHECK_FALSE(defaults.settings.is_symmetric);
   const CutsScene cuts = *sceneOf(kCloth +
-                                  "[pattern.cuts]\nmethod = 'none'\ndistortion_weight = 3\nlength_weight = 2\n"
+                                  "[pattern.cuts]\nmethod = 'variational'\ndistortion_weight = 3\nlength_weight = 2\n"
                                   "steps = 50\nkeep = false\nsymmetric = 0.01\nremove = false\nstraighten = false\n")
                               .pattern.cuts;
-  CHECK_FALSE(cuts.finds);
+  CHECK(cuts.finds);
+  CHECK_FALSE(sceneOf(kCloth + "[pattern.cuts]\nmethod = 'none'\n").pattern.cuts->finds);
+  CHECK_THAT(errorOf(kCloth + "[pattern.cuts]\nmethod = 'none'\nkeep = false\n"), Contains("method = 'variational'"));
   CHECK(cuts.settings.flow.weights.distortion == 3.0);
   CHECK(cuts.settings.flow.weights.length == 2.0);
   CHECK(cuts.settings.flow.steps == 50);
@@ -79,6 +81,7 @@ TEST_CASE("wrong keys of [pattern] are refused with what was expected") {
   CHECK_THAT(errorOf(kCloth + "[pattern]\ndarts = 'no'\n"), Contains("true, false, or how many at most"));
   CHECK_THAT(errorOf(kCloth + "[pattern]\ngrain = 'bias'\n"), Contains("free"));
   CHECK_THAT(errorOf(kCloth + "[pattern]\nfabric_width = 0.11\nallowance = 0.05\n"), Contains("at least 0.14 m"));
+  CHECK_THAT(errorOf(kCloth + "[pattern]\ncheck = false\nlet_out = 2\n"), Contains("check = false"));
   CHECK_THAT(errorOf(kCloth + "[pattern]\ndart = true\n"), Contains("did you mean 'darts'?"));
   CHECK_THAT(errorOf(kCloth + "[pattern]\nformats = ['svg', 'hpgl']\n"), Contains("'hpgl' is none of them"));
   CHECK_THAT(errorOf(kCloth + "[pattern]\nallowance = 0.5\n"), Contains("a number from 0 to 0.2 m"));
