@@ -267,13 +267,10 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
     RestShape rest = readRestShape(run / "rest_shape.vtp", input);
     MadePattern made = madePattern(scene, finds_cuts, settings, input, rest);
     if (scene.pattern.check) checkSewn(scene, input, rest, settings, interrupted, made);
-    if (made.cuts)
-      for (const std::string& warning : made.cuts->warnings) say("warning", warning);
-    for (const std::string& warning : made.flat.warnings) say("warning", warning);
+    const std::vector<std::string> warnings = warningsOf(made);
+    for (const std::string& warning : warnings) say("warning", warning);
     removeOldPattern(directory);
     const std::string summary = writePattern(scene, input, made, directory);
-    std::vector<std::string> warnings = made.flat.warnings;
-    if (made.cuts) warnings.insert(warnings.end(), made.cuts->warnings.begin(), made.cuts->warnings.end());
     showPatternInPage(directory, summary, warnings);
     fmt::print("{}results   {}\n", summary, directory.string());
     return end == RunEnd::doubtful ? kDoubtful : kDone;

@@ -37,9 +37,8 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
   for (const FlatPiece& piece : flat.pieces) {
     darts += piece.darts;
     text += fmt::format(
-        "{:<22} {:.3f} m^2; threads up to {:.1f} % on 98 % of it, over {:g} % on {:.2f} %; shear up to {:.1f} deg on "
-        "99 %; "
-        "{}{}\n",
+        "{:<22} {:.3f} m^2; threads up to {:.1f} % on 98 % of it, over {:g} % on {:.2f} %; "
+        "shear up to {:.1f} deg on 99 %; {}{}\n",
         piece.name, piece.strain.area, 100.0 * piece.strain.thread_p98, 100.0 * scene.pattern.limits.thread,
         100.0 * piece.strain.thread_over_share, piece.strain.shear_p99 * 180.0 / M_PI, counted(piece.darts, "dart"),
         piece.grain == 0.0 ? "" : fmt::format(", grain turned by {:+.0f} deg", piece.grain * 180.0 / M_PI));
@@ -72,6 +71,12 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
 }
 
 }  // namespace
+
+std::vector<std::string> warningsOf(const MadePattern& made) {
+  std::vector<std::string> warnings = made.flat.warnings;
+  if (made.cuts) warnings.insert(warnings.end(), made.cuts->warnings.begin(), made.cuts->warnings.end());
+  return warnings;
+}
 
 void drawPattern(const Scene& scene, MadePattern& made) {
   made.pieces = drawPieces(made.flat, scene.pattern.allowances);

@@ -23,6 +23,9 @@ struct MadePattern {
   double wall_s = 0.0;  // without the replay
 };
 
+/// All warnings of the pattern: about its pieces, then about seams that were looked for.
+std::vector<std::string> warningsOf(const MadePattern& made);
+
 /// Draws the pieces and lays them out; the lengths of seam sides become those of the drawn lines.  Throws InputError
 /// where a piece is wider than the cloth.
 void drawPattern(const Scene& scene, MadePattern& made);

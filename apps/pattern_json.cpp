@@ -106,9 +106,7 @@ Json figuresOf(const Scene& scene, const MadePattern& made) {
   json["pieces_mended"] = flat.mended;
   if (made.resewn) json["resewn"] = resewnJson(*made.resewn);
   if (made.cuts) json["cuts"] = cutsJson(*made.cuts);
-  std::vector<std::string> warnings = flat.warnings;
-  if (made.cuts) warnings.insert(warnings.end(), made.cuts->warnings.begin(), made.cuts->warnings.end());
-  json["warnings"] = warnings;
+  json["warnings"] = warningsOf(made);
   json["wall_s"] = made.wall_s;
   return json;
 }

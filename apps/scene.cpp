@@ -12,6 +12,7 @@
 #include "apps/toml_table.h"
 #include "apps/words.h"
 #include "collision/body/mannequin.h"
+#include "garment/builtin_garment.h"
 
 namespace ease {
 
@@ -128,7 +129,7 @@ GarmentScene readGarment(const TomlTable& table, const std::optional<BodyScene>&
       table.refuse(key, "no such key without a mesh file, which it describes");
   if (!garment.mesh.empty()) garment.frame = readFrame(table, body ? body->frame : MeshFrame());
   garment.weld = table.boolean("weld", garment.weld);
-  garment.vertices = table.integer("vertices", garment.vertices, 300, 100000);
+  garment.vertices = table.integer("vertices", garment.vertices, kMinBuiltinVertices, kMaxBuiltinVertices);
 
   garment.grain = readVec3(table, "grain", garment.grain, 1e6, "");
   if (garment.grain.norm() < 1e-6) table.refuse("grain", "a direction, not zero");

@@ -24,9 +24,9 @@ function(ease_library component)
   ease_precompile(ease_${component})
 endfunction()
 
-# ease_precompile(TARGET HEADER...): what most sources of a target include is read once, which saves two of the four to
-# six seconds that a source takes.  Every source includes what it uses all the same: the presets debug, asan and tsan
-# build without, by CMAKE_DISABLE_PRECOMPILE_HEADERS.
+# ease_precompile(TARGET HEADER...): what most sources of a target include is read once, which mostly saves two of the
+# three to ten seconds of processor time that a source takes.  Every source includes what it uses all the same: the
+# presets debug, asan and tsan build without, by CMAKE_DISABLE_PRECOMPILE_HEADERS.
 function(ease_precompile target)
   target_precompile_headers(${target} PRIVATE <Eigen/Geometry> <Eigen/SparseCore> <algorithm> <array> <cmath>
     <filesystem> <fstream> <functional> <map> <memory> <optional> <span> <string> <vector> ${ARGN})

@@ -16,7 +16,6 @@
 namespace ease {
 namespace {
 
-constexpr int kMinVertices = 300, kMaxVertices = 100000;
 constexpr double kWidestOffset = 0.05;  // m
 constexpr double kBeyondCut = 0.025;    // m: the surface reaches this far past the planes before it is cut
 
@@ -92,9 +91,9 @@ TriangleMesh cutGarment(const DistanceField& field, const GarmentShape& garment_
 
 TriangleMesh builtinGarment(const std::string& name, int vertices, double offset, const BodyMeasures& measures) {
   const GarmentShape garment_shape = findShape(name);
-  if (vertices < kMinVertices || vertices > kMaxVertices)
+  if (vertices < kMinBuiltinVertices || vertices > kMaxBuiltinVertices)
     throw InputError(fmt::format("vertices = {}: expected {} to {} for the built-in garment '{}'", vertices,
-                                 kMinVertices, kMaxVertices, name));
+                                 kMinBuiltinVertices, kMaxBuiltinVertices, name));
   if (!(offset >= 0.0 && offset <= kWidestOffset))
     throw InputError(
         fmt::format("builtin = '{}': [collision] offset = {:g} m: expected 0 to {:g} m", name, offset, kWidestOffset));

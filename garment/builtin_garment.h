@@ -11,6 +11,8 @@
 
 namespace ease {
 
+constexpr int kMinBuiltinVertices = 300, kMaxBuiltinVertices = 100000;
+
 /// Makes the garment called "t-shirt" or "dress" with `vertices` vertices (300 to 100,000; met within 2.5 %), evenly
 /// sized triangles and four boundary loops that lie in planes.  Every vertex, edge midpoint and centroid is at least
 /// `offset` (m, 0 to 0.05) outside the mannequin's T-pose.  Throws InputError naming an unknown garment or an

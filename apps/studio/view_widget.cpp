@@ -179,8 +179,9 @@ ViewWidget::Gesture ViewWidget::gestureOf(const QMouseEvent& event) const {
   if (event.button() == Qt::LeftButton) {
     if (alt) return shift ? Gesture::pan : Gesture::orbit;
     const Pointer at = pointerOf(event.localPos(), {});
-    const bool is_beside = !studio_.stage.hitBody(at.x, at.y) && !studio_.stage.hitCloth(at.x, at.y);
-    if (navigation_ == Navigation::paraview && is_beside) return Gesture::orbit;
+    if (navigation_ == Navigation::paraview && !studio_.stage.hitBody(at.x, at.y) &&
+        !studio_.stage.hitCloth(at.x, at.y))
+      return Gesture::orbit;
     return content_ == Content::simulated ? Gesture::tool : Gesture::orbit;
   }
   if (event.button() == Qt::MiddleButton)
