@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/body/pose_interpolation.h"
 #include "collision/triangle_tree.h"
 #include "solver/base/parallel.h"
-#include "solver/linear/gradient_system.h"
 
 namespace ease {
 
@@ -53,7 +51,6 @@ void checkMotion(const Scene& scene, const SceneInput& input, const Warn& warn) 
   const double seconds = secondsPerPose(scene);
   double fastest = 0.0;
   size_t fastest_pose = 1;
-  std::vector<int> ordering;
   for (size_t p = 1; p < input.poses.size(); ++p) {
     const Positions &from = input.poses[p - 1], &to = input.poses[p];
     const double move = farthestMove(from, to);
@@ -62,12 +59,10 @@ void checkMotion(const Scene& scene, const SceneInput& input, const Warn& warn) 
       fastest_pose = p;
     }
     if (move < kWideMotion) continue;
-    if (ordering.empty()) ordering = systemOrdering(static_cast<int>(from.rows()), input.body_triangles);
-    const PoseInterpolation way(input.body_triangles, from, to, ordering);
     const double at_ends = std::max(buried(from, input.body_triangles).first, buried(to, input.body_triangles).first);
     for (const double s : {0.25, 0.5, 0.75}) {
       Positions x;
-      way.at(s, x);
+      input.way->interpolations[p - 1].at(s, x);
       const auto [share, place] = buried(x, input.body_triangles);
       if (share - at_ends < kBuriedShare) continue;
       warn(fmt::format(

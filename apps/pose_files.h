@@ -12,7 +12,7 @@ void readFilePoses(const Scene& scene, const Positions* garment, const Warn& war
                    SceneInput& input);
 
 /// Warns where the body moves faster than people do, or where a limb turns so far from a pose to the next that it may
-/// take the shorter way through the body.
+/// take the shorter way through the body.  `input.way` must have been computed.
 void checkMotion(const Scene& scene, const SceneInput& input, const Warn& warn);
 
 }  // namespace ease

@@ -73,6 +73,7 @@ class Replay {
     held_scene_.body->poses.resize(1);
     held_input_ = input_;
     held_input_.poses.resize(1);
+    held_input_.way.reset();
     held_body_.emplace(movingBody(held_scene_, held_input_));
   }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -15,6 +16,7 @@
 #include "apps/mesh_frame.h"
 #include "apps/scene_pattern.h"
 #include "collision/body/body_size.h"
+#include "collision/body/pose_interpolation.h"
 #include "collision/level_set.h"
 #include "garment/authoring.h"
 #include "solver/base/error.h"
@@ -148,8 +150,9 @@ struct SceneInput {
   std::optional<GarmentAsRead> as_read;
   Triangles body_triangles;  // empty: no body
   std::vector<std::string> pose_names;
-  std::vector<Positions> poses;        // same order as pose_names
-  std::vector<std::vector<int>> pins;  // vertices of each [[garment.pin]]
+  std::vector<Positions> poses;                  // same order as pose_names
+  std::shared_ptr<const InterpolatedPoses> way;  // of the body through its poses; null: no body, or not computed
+  std::vector<std::vector<int>> pins;            // vertices of each [[garment.pin]]
   std::optional<AuthoredGarment> authored;
   std::vector<NamedLoop> loops;       // of the garment; empty where it is read or built in and has no seams
   std::vector<Seam> seams;            // of the garment

@@ -49,13 +49,17 @@ void readPoses(const Scene& scene, const Warn& warn, const Pause& pause, const S
     input.body_triangles = known->body_triangles;
     input.pose_names = known->pose_names;
     input.poses = known->poses;
-  } else if (scene.body->builtin.empty()) {
+    input.way = known->way;
+    return;
+  }
+  if (scene.body->builtin.empty()) {
     // readBodyInput() has no garment, and tools have not made theirs yet
     const bool has_garment = !scene.garment.tools && input.garment.positions.rows() > 0;
     readFilePoses(scene, has_garment ? &input.garment.positions : nullptr, warn, pause, input);
   } else {
     makeBuiltinPoses(scene, pause, input);
   }
+  input.way = std::make_shared<const InterpolatedPoses>(input.body_triangles, input.poses);
 }
 
 /// Returns the result of `make()`.  Puts the scene's file and "[garment]" before the message of an InputError.
@@ -177,6 +181,8 @@ SceneInput renumbered(const SceneInput& input, const InputNumbering& numbering) 
   ordered.paint = renumbered(input.paint, numbering.garment.triangles);
   ordered.body_triangles = renumbered(input.body_triangles, numbering.body);
   for (Positions& pose : ordered.poses) pose = renumbered(pose, numbering.body.vertices);
+  if (input.way)
+    ordered.way = std::make_shared<const InterpolatedPoses>(renumbered(*input.way, numbering.body.vertices));
   return ordered;
 }
 

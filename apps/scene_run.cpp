@@ -72,7 +72,7 @@ Substeps substepsOf(const Scene& scene, const SceneInput& input) {
 MovingBody movingBody(const Scene& scene, const SceneInput& input) {
   const double largest_offset = *std::max_element(input.offsets.begin(), input.offsets.end());
   return MovingBody(input.body_triangles, input.poses, scene.body->steps * substepsOf(scene, input).interpolation,
-                    LevelSetOptions{scene.collision.voxel, kBeyondComfort + largest_offset});
+                    LevelSetOptions{scene.collision.voxel, kBeyondComfort + largest_offset}, input.way);
 }
 
 }  // namespace ease

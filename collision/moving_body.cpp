@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "solver/base/stopwatch.h"
-#include "solver/linear/gradient_system.h"
 
 namespace ease {
 
@@ -22,16 +21,13 @@ constexpr double kMarginVoxels = 0.4;  // how far samples move away from the poi
 }  // namespace
 
 MovingBody::MovingBody(const Triangles& triangles, const std::vector<Positions>& poses, int steps,
-                       const LevelSetOptions& options, std::span<const int> ordering)
+                       const LevelSetOptions& options, std::shared_ptr<const InterpolatedPoses> way)
     : triangles_(triangles),
       steps_(steps),
       margin_(kMarginVoxels * options.voxel),
       band_(options.band),
-      first_(poses.front()) {
-  std::vector<int> own;
-  if (ordering.empty() && poses.size() > 1) ordering = own = systemOrdering(static_cast<int>(first_.rows()), triangles);
-  for (size_t p = 0; p + 1 < poses.size(); ++p)
-    interpolations_.emplace_back(triangles, poses[p], poses[p + 1], ordering);
+      first_(poses.front()),
+      way_(way ? std::move(way) : std::make_shared<const InterpolatedPoses>(triangles, poses)) {
   for (int i = 0; i < 2; ++i) prepared_.push_back({TriangleTree(first_, triangles_), LevelSet(options)});
   known_.resize(motionSteps() + 1);
 }
@@ -48,12 +44,13 @@ void MovingBody::interpolate(int k) {
   const int folded_k = folded(k);
   if (slot.k == folded_k && slot.positions.rows() > 0) return;
   slot.k = folded_k;
-  if (interpolations_.empty()) {
+  const std::vector<PoseInterpolation>& interpolations = way_->interpolations;
+  if (interpolations.empty()) {
     slot.positions = first_;
     return;
   }
-  const int pair = std::min(folded_k / steps_, static_cast<int>(interpolations_.size()) - 1);
-  interpolations_[pair].at(static_cast<double>(folded_k - pair * steps_) / steps_, slot.positions);
+  const int pair = std::min(folded_k / steps_, static_cast<int>(interpolations.size()) - 1);
+  interpolations[pair].at(static_cast<double>(folded_k - pair * steps_) / steps_, slot.positions);
 }
 
 const Positions& MovingBody::pose(int k) const {

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,16 +24,16 @@ namespace ease {
 
 class MovingBody {
  public:
-  /// `steps`: interpolation steps from a pose to the next.  With one pose the body does not move.  `ordering`:
-  /// systemOrdering() of the body; if empty, it is computed where it is needed.
+  /// `steps`: interpolation steps from a pose to the next.  With one pose the body does not move.  `way`: through these
+  /// poses; null: it is computed.
   MovingBody(const Triangles& triangles, const std::vector<Positions>& poses, int steps, const LevelSetOptions& options,
-             std::span<const int> ordering = {});
+             std::shared_ptr<const InterpolatedPoses> way = nullptr);
 
   const Triangles& triangles() const { return triangles_; }
   /// Distances to the body are exact below this, m.
   double band() const { return band_; }
   /// Interpolation steps from the first pose to the last.
-  int motionSteps() const { return static_cast<int>(interpolations_.size()) * steps_; }
+  int motionSteps() const { return static_cast<int>(way_->interpolations.size()) * steps_; }
 
   /// Makes the poses k - 1, k and k + 1, and L_k around the points.  Call with k = 0, 1, 2, ... or start over at 0.
   void prepare(int k, std::span<const Vec3> points);
@@ -77,7 +78,7 @@ class MovingBody {
   double margin_;  // m
   double band_;    // m
   Positions first_;
-  std::vector<PoseInterpolation> interpolations_;
+  std::shared_ptr<const InterpolatedPoses> way_;
   std::array<Slot, 4> poses_;        // pose k in slot k mod 4
   std::vector<Prepared> prepared_;   // L_k in place k mod 2
   std::vector<KnownCorners> known_;  // by folded pose

@@ -8,7 +8,6 @@
 #include "garment/comfort.h"
 #include "garment/paint.h"
 #include "solver/base/stopwatch.h"
-#include "solver/linear/gradient_system.h"
 #include "solver/mesh/topology.h"
 
 namespace ease {
@@ -84,12 +83,8 @@ MadeGarment makeGarment(const std::string& text, const Scene& scene, const Scene
     const Stopwatch stopwatch(made.seconds);
     made.scene = scene;
     made.mesh_key = meshKey(text);
-    if (last) {
-      made.body_ordering = last->body_ordering;
-    } else if (!body.poses.empty()) {
-      made.body_ordering = systemOrdering(static_cast<int>(body.poses.front().rows()), body.body_triangles);
+    if (!last && !body.poses.empty())
       checkMotion(scene, body, [&](const std::string& warning) { motion_warnings.push_back(warning); });
-    }
     if (scene.garment.is_draft) {
       made.input = body;
       made.loops = draftLoops(scene, body, last);

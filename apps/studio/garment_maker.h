@@ -18,7 +18,6 @@ struct MadeGarment {
   std::vector<BoundaryLoop> loops;  // on the body, in the scene's order; none where the garment was not made by tools
   std::vector<NamedLoop> edges;     // boundary loops of the garment, by the names that pins use
   std::vector<std::vector<Vec3>> seams;  // points of each seam, m
-  std::vector<int> body_ordering;        // systemOrdering() of the body; empty: no body
   double seconds = 0.0;                  // that it took
 
   bool hasGarment() const { return input.garment.triangles.rows() > 0; }

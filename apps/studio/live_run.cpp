@@ -84,7 +84,8 @@ void LiveRun::leaveFor(const std::vector<Positions>& poses) {
   contacts_.reset();
   body_ = std::make_unique<MovingBody>(
       made_->input.body_triangles, poses, schedule.interpolation_steps * substeps.interpolation,
-      LevelSetOptions{made_->scene.collision.voxel, kBeyondComfort + band_}, made_->body_ordering);
+      LevelSetOptions{made_->scene.collision.voxel, kBeyondComfort + band_},
+      std::make_shared<const InterpolatedPoses>(made_->input.body_triangles, poses, made_->input.way->ordering));
   substeps_ = substeps;
   way_steps_ = poses.size() > 1 ? timeStepsOfMotion(schedule) : 0;
   moving_ = 0;

@@ -5,6 +5,8 @@
 
 #include "collision/body/gradient_interpolation.h"
 #include "solver/base/parallel.h"
+#include "solver/linear/gradient_system.h"
+#include "solver/mesh/numbering.h"
 
 namespace ease {
 
@@ -68,6 +70,26 @@ void PoseInterpolation::at(double s, Positions& x) const {
       for (int i = begin; i < end; ++i) out[i] += coefficient * pose[i];
     }
   });
+}
+
+void PoseInterpolation::renumber(const std::vector<int>& order) {
+  for (Positions& pose : poses_) pose = renumbered(pose, order);
+}
+
+InterpolatedPoses::InterpolatedPoses(const Triangles& triangles, const std::vector<Positions>& poses,
+                                     std::vector<int> known_ordering)
+    : ordering(std::move(known_ordering)) {
+  if (poses.size() < 2) return;
+  if (ordering.empty()) ordering = systemOrdering(static_cast<int>(poses.front().rows()), triangles);
+  for (size_t p = 0; p + 1 < poses.size(); ++p)
+    interpolations.emplace_back(triangles, poses[p], poses[p + 1], ordering);
+}
+
+InterpolatedPoses renumbered(InterpolatedPoses poses, const std::vector<int>& order) {
+  const std::vector<int> number = newNumbers(order);
+  for (int& vertex : poses.ordering) vertex = number[vertex];
+  for (PoseInterpolation& interpolation : poses.interpolations) interpolation.renumber(order);
+  return poses;
 }
 
 }  // namespace ease

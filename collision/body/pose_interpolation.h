@@ -34,9 +34,25 @@ class PoseInterpolation {
   /// Computes the vertices at s in [0, 1], m; at the ends exactly `from` and `to`.
   void at(double s, Positions& x) const;
 
+  /// Puts the vertices in a new order (solver/mesh/numbering.h).
+  void renumber(const std::vector<int>& order);
+
  private:
   std::vector<double> points_;    // s_j
   std::vector<Positions> poses_;  // x(s_j), m
 };
+
+/// The way through all poses of a body.
+struct InterpolatedPoses {
+  std::vector<int> ordering;                      // elimination ordering of the body's mesh, systemOrdering()
+  std::vector<PoseInterpolation> interpolations;  // from each pose to the next
+
+  InterpolatedPoses() = default;
+  /// `ordering`: of the body's mesh, or empty to compute one.  Throws ComputationError as PoseInterpolation does.
+  InterpolatedPoses(const Triangles& triangles, const std::vector<Positions>& poses, std::vector<int> ordering = {});
+};
+
+/// Returns the way through the poses of a body whose vertices are in a new order.
+InterpolatedPoses renumbered(InterpolatedPoses poses, const std::vector<int>& order);
 
 }  // namespace ease

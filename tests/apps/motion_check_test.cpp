@@ -21,6 +21,7 @@ SceneInput passing(double height) {
     input.poses.push_back(pose);
     input.pose_names.push_back(side < 0.0 ? "before" : "behind");
   }
+  input.way = std::make_shared<const InterpolatedPoses>(input.body_triangles, input.poses);
   return input;
 }
 

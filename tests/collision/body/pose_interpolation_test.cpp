@@ -5,6 +5,7 @@
 
 #include "collision/body/gradient_interpolation.h"
 #include "solver/io/mesh_io.h"
+#include "solver/mesh/numbering.h"
 #include "tests/collision/body/posed_limbs.h"
 #include "tests/places.h"
 
@@ -22,6 +23,24 @@ TEST_CASE("both poses come out at their ends to the last bit, beside them to a n
   CHECK(largestMove(x, from.positions) < 1e-9);
   interpolation.at(1.0 - 1e-13, x);
   CHECK(largestMove(x, to.positions) < 1e-9);
+}
+
+TEST_CASE("renumbered, the way through the poses gives the same places in the new order") {
+  const TriangleMesh from = makeLimb(0.0), to = makeLimb(1.5), end = makeLimb(0.7);
+  const std::vector<Positions> poses = {from.positions, to.positions, end.positions};
+  const Numbering numbering = spatialNumbering(from);
+  const InterpolatedPoses way(from.triangles, poses), ordered = renumbered(way, numbering.vertices);
+  std::vector<int> eliminated;  // in the old numbering
+  for (const int vertex : ordered.ordering) eliminated.push_back(numbering.vertices[vertex]);
+  CHECK(eliminated == way.ordering);
+  REQUIRE(ordered.interpolations.size() == 2);
+  for (size_t p = 0; p < 2; ++p) {
+    Positions x, y;
+    way.interpolations[p].at(0.3, x);
+    ordered.interpolations[p].at(0.3, y);
+    CHECK(x != y);
+    CHECK(x == restored(y, numbering.vertices));
+  }
 }
 
 TEST_CASE("the real poses come out at their ends to the last bit, beside them to a nanometre") {
