@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/base/parallel.h"
+#include "solver/base/percentile.h"
 
 namespace ease {
 
@@ -81,9 +82,7 @@ MetricError metricError(const Cloth& cloth, const Positions& x) {
     sum += errors.back();
   }
   if (errors.empty()) return {};
-  const auto rank = errors.begin() + static_cast<long>(0.99 * static_cast<double>(errors.size() - 1));
-  std::nth_element(errors.begin(), rank, errors.end());
-  return {sum / static_cast<double>(errors.size()), *rank};
+  return {sum / static_cast<double>(errors.size()), percentile(errors, 0.99)};
 }
 
 }  // namespace ease

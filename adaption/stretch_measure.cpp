@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/base/parallel.h"
+#include "solver/base/percentile.h"
 
 namespace ease {
 
@@ -35,10 +36,8 @@ StretchStatistics stretchStatistics(std::vector<double> values, double limit) {
   s.share_over_limit =
       static_cast<double>(std::count_if(values.begin(), values.end(), [&](double v) { return v > 1.0 + limit; })) /
       static_cast<double>(values.size());
-  const auto rank = values.begin() + static_cast<long>(0.99 * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), rank, values.end());
-  s.p99 = *rank;
-  s.max = *std::max_element(rank, values.end());
+  s.p99 = percentile(values, 0.99);
+  s.max = *std::max_element(values.begin(), values.end());
   return s;
 }
 

@@ -14,6 +14,7 @@
 #include "apps/garment_files.h"
 #include "apps/job.h"
 #include "apps/mesh_list.h"
+#include "apps/pattern_check.h"
 #include "apps/result_directory.h"
 #include "apps/resume.h"
 #include "apps/scene.h"
@@ -132,6 +133,7 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
 ExitCode checkCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
   const Scene scene = readScene(arguments.scene);
   const SceneInput input = readWithWarnings(scene, interrupted);
+  if (scene.pattern.is_given && !findsCuts(scene, input)) checkPieces(scene, input);
   printSummary(scene, input);
   return kDone;
 }

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 
 #include "apps/commands.h"
 #include "apps/cut_input.h"
@@ -18,7 +17,7 @@
 #include "apps/job.h"
 #include "apps/page/garment_areas.h"
 #include "apps/page/pattern_in_page.h"
-#include "apps/painted_rest.h"
+#include "apps/pattern_check.h"
 #include "apps/pattern_files.h"
 #include "apps/result_directory.h"
 #include "apps/run_inputs.h"
@@ -62,14 +61,6 @@ std::string sceneOf(const fs::path& directory) {
     throw InputError(fmt::format("{}: scene_file = '{}': no such scene: give it by name, ease pattern SCENE -o {}",
                                  (directory / "report.json").string(), scene, directory.string()));
   return scene;
-}
-
-/// Calls `make`; says of its InputErrors which scene's pattern they are about.
-template <class Make>
-void ofPattern(const Scene& scene, const Make& make) try {
-  make();
-} catch (const InputError& error) {
-  throw InputError(fmt::format("{}: [pattern] {}", scene.file.string(), error.what()));
 }
 
 /// Reads the rest shape that a run wrote, numbered as the garment's file, as that of the garment.
@@ -129,58 +120,12 @@ void checkSameInputs(const nlohmann::json& report, const Scene& scene, const fs:
                   run.string(), fmt::join(tables, ", ")));
 }
 
-/// Throws where a plane of symmetry is given that misses the garment.
-void checkPlane(const Scene& scene, const SceneInput& input) {
-  const std::optional<double> plane = scene.pattern.cuts->settings.plane;
-  const auto x = input.garment.positions.col(0);
-  if (!plane || (*plane > x.minCoeff() && *plane < x.maxCoeff())) return;
-  throw InputError(fmt::format(
-      "{}: [pattern.cuts] symmetric = {:g}: the plane misses the garment: expected {:.3f} to {:.3f} m, or true",
-      scene.file.string(), *plane, x.minCoeff(), x.maxCoeff()));
-}
-
-/// Throws InputError where an allowance is given for a seam or loop that no piece has.
-void checkAllowanceNames(const Allowances& allowances, const CutGarment& cut) {
-  std::set<std::string> known;
-  for (const PieceEdge& edge : cut.edges)
-    if (edge.kind != LineKind::dart) known.insert(edge.name);
-  for (const auto& [name, width] : allowances.by_name)
-    if (!known.contains(name))
-      throw InputError(fmt::format("allowance.{}: no piece has such a seam or edge; {}", name,
-                                   adviceFor(name, {known.begin(), known.end()}, "there are")));
-}
-
-/// Throws InputError where the garment as it is before the run cannot be cut along its seams, lacks a seam or loop that
-/// an allowance names, or has a piece that is too wide for the cloth: pieces are let out, hardly ever taken in.
-void checkPieces(const Scene& scene, const SceneInput& input, FlatSettings settings) {
-  constexpr double kTakenIn = 0.95;  // of a piece's width, at least, that the rest shape's has
-  Cloth cloth(input.garment, scene.garment.grain, scene.material);
-  if (!input.paint.empty()) paintFirstRest(input.paint, cloth);
-  settings.max_darts = 0;
-  const FlatPattern pattern = flattenGarment(
-      {{cloth.restPositions(), input.garment.triangles}, cloth.restEdges(), input.seams, loopsOf(input)}, settings);
-  checkAllowanceNames(scene.pattern.allowances, pattern.cut);
-  std::vector<double> low(pattern.pieces.size(), INFINITY), high(pattern.pieces.size(), -INFINITY);
-  for (const PieceEdge& edge : pattern.cut.edges)
-    for (const int v : edge.vertices) {
-      low[edge.piece] = std::min(low[edge.piece], pattern.x(v, 1));
-      high[edge.piece] = std::max(high[edge.piece], pattern.x(v, 1));
-    }
-  for (size_t p = 0; p < low.size(); ++p)
-    if (const double width = high[p] - low[p]; kTakenIn * width > settings.widest)
-      throw InputError(fmt::format(
-          "fabric_width = {:g}: piece '{}' is about {:.2f} m wide across the grain, and {:.2f} m with its allowance: "
-          "expected wider fabric, or a seam that divides the piece",
-          scene.pattern.fabric_width, pattern.pieces[p].name, width,
-          width + scene.pattern.fabric_width - settings.widest));
-}
-
 /// Checks the results of a finished run against the scene, or runs the scene; returns how that run ended.
 RunEnd runOrCheck(const Scene& scene, SceneInput& input, const fs::path& run, const fs::path& directory,
-                  bool finds_cuts, const FlatSettings& settings, const std::atomic<bool>& interrupted) {
+                  bool finds_cuts, const std::atomic<bool>& interrupted) {
   const nlohmann::json report = finishedReport(run);
   if (report.is_null()) {
-    if (!finds_cuts) ofPattern(scene, [&] { checkPieces(scene, input, settings); });
+    if (!finds_cuts) checkPieces(scene, input);
     fmt::print("no finished run in {}: the scene is run first\n", run.string());
     if (input.authored) writeGarment(scene, input, directory, interrupted);
     return runScene(scene, input, directory, interrupted);
@@ -250,16 +195,10 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
         [&] {
           if (interrupted) throw Interrupted();
         });
-    const bool finds_cuts = scene.pattern.cuts ? scene.pattern.cuts->finds : input.seams.empty();
-    if (input.seams.empty() && !finds_cuts)
-      throw InputError(
-          fmt::format("{}: [garment] has no [[garment.seam]] and [pattern.cuts] method = 'none': expected seams, along "
-                      "which a pattern is cut, or method = 'variational'",
-                      scene.file.string()));
-    if (finds_cuts && scene.pattern.cuts) checkPlane(scene, input);
+    const bool finds_cuts = findsCuts(scene, input);
     const FlatSettings settings = flatSettings(scene);
     const ResultDirectory results(directory);
-    const RunEnd end = runOrCheck(scene, input, run, directory, finds_cuts, settings, interrupted);
+    const RunEnd end = runOrCheck(scene, input, run, directory, finds_cuts, interrupted);
     if (end == RunEnd::interrupted) {
       say("interrupted", fmt::format("what was written until then is in {}", directory.string()));
       return kInterrupted;

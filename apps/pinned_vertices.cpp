@@ -4,7 +4,6 @@
 
 #include <map>
 
-#include "apps/words.h"
 #include "garment/named_loop.h"
 #include "solver/base/error.h"
 
@@ -13,14 +12,10 @@ namespace ease {
 namespace {
 
 /// Finds a loop by the name that its tool gave it or, for a garment not made by tools, by a name for its place.
-std::vector<int> loopNamed(const std::string& name, const SceneInput& input, const Topology& topology) {
+std::vector<int> loopOfGarment(const std::string& name, const SceneInput& input, const Topology& topology) {
   if (!input.authored) return findLoop(topology, input.garment.positions, name);
-  std::vector<std::string> names;
-  for (const NamedLoop& loop : input.authored->garment.loops) {
-    if (loop.name == name) return loop.vertices;
-    names.push_back(loop.name);
-  }
-  throw InputError(fmt::format("loop = '{}': expected {}", name, listWords(names)));
+  const std::vector<NamedLoop>& loops = input.authored->garment.loops;
+  return loops[loopNamed(loops, name, fmt::format("loop = '{}'", name))].vertices;
 }
 
 std::vector<int> verticesIn(const Brush& ball, const Positions& positions) {
@@ -56,7 +51,7 @@ std::vector<std::vector<int>> pinnedVertices(const Scene& scene, const SceneInpu
     const std::string where = fmt::format("{}: [[garment.pin]] number {}", scene.file.string(), pins.size() + 1);
     try {
       if (const auto* loop = std::get_if<std::string>(&pin.what)) {
-        pins.push_back(loopNamed(*loop, input, topology));
+        pins.push_back(loopOfGarment(*loop, input, topology));
       } else if (const auto* ball = std::get_if<Brush>(&pin.what)) {
         pins.push_back(verticesIn(*ball, garment.positions));
       } else {

@@ -62,6 +62,7 @@ PatternScene readPattern(const TomlTable& table) {
   table.allow({"thread_limit", "shear_limit", "share", "darts", "allowance", "fabric_width", "paper", "formats",
                "grain", "piece", "check", "let_out", "cuts"});
   PatternScene pattern;
+  pattern.is_given = true;
   pattern.limits.thread = table.number("thread_limit", pattern.limits.thread, {0.0, 1.0, true, ""});
   const double degrees = table.number("shear_limit", 180.0 / M_PI * pattern.limits.shear, {0.0, 60.0, true, "degrees"});
   pattern.limits.shear = degrees * M_PI / 180.0;

@@ -20,6 +20,7 @@ struct CutsScene {
 };
 
 struct PatternScene {
+  bool is_given = false;  // whether the scene has the table
   StrainLimits limits;
   int max_darts = FlatSettings().max_darts;
   std::vector<PieceName> names;

@@ -3,7 +3,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <vector>
+
+#include "solver/mesh/numbering.h"
 
 namespace ease {
 namespace {
@@ -41,24 +44,13 @@ std::vector<int> cutTriangle(const std::array<int, 3>& corners, CutVertices& ver
   return polygon;
 }
 
-TriangleMesh withoutUnusedVertices(const std::vector<Vec3>& positions,
-                                   const std::vector<std::array<int, 3>>& triangles) {
-  std::vector<int> number(positions.size(), -1);
-  std::vector<int> used;
-  TriangleMesh mesh;
-  mesh.triangles.resize(triangles.size(), 3);
-  for (size_t t = 0; t < triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      int& n = number[triangles[t][k]];
-      if (n < 0) {
-        n = static_cast<int>(used.size());
-        used.push_back(triangles[t][k]);
-      }
-      mesh.triangles(t, k) = n;
-    }
-  mesh.positions.resize(used.size(), 3);
-  for (size_t v = 0; v < used.size(); ++v) mesh.positions.row(v) = positions[used[v]];
-  return mesh;
+TriangleMesh withoutUnusedVertices(const std::vector<Vec3>& positions, const Triangles& triangles) {
+  std::vector<int> all(triangles.rows());
+  std::iota(all.begin(), all.end(), 0);
+  const Numbering numbering = partNumbering(triangles, std::move(all));
+  Positions used(static_cast<int>(numbering.vertices.size()), 3);
+  for (int v = 0; v < used.rows(); ++v) used.row(v) = positions[numbering.vertices[v]];
+  return {used, renumbered(triangles, numbering)};
 }
 
 }  // namespace
@@ -72,13 +64,13 @@ TriangleMesh cutByPlane(const TriangleMesh& mesh, const Plane& plane, double sna
     vertices.positions.push_back(is_near ? Vec3(x - d * plane.normal) : x);
     vertices.distances.push_back(is_near ? 0.0 : d);
   }
-  std::vector<std::array<int, 3>> kept;
+  std::vector<int> kept;  // three vertices of each triangle
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
     const std::array<int, 3> corners = {mesh.triangles(t, 0), mesh.triangles(t, 1), mesh.triangles(t, 2)};
     const std::vector<int> polygon = cutTriangle(corners, vertices);
-    for (size_t k = 2; k < polygon.size(); ++k) kept.push_back({polygon[0], polygon[k - 1], polygon[k]});
+    for (size_t k = 2; k < polygon.size(); ++k) kept.insert(kept.end(), {polygon[0], polygon[k - 1], polygon[k]});
   }
-  return withoutUnusedVertices(vertices.positions, kept);
+  return withoutUnusedVertices(vertices.positions, Eigen::Map<const Triangles>(kept.data(), std::ssize(kept) / 3, 3));
 }
 
 }  // namespace ease

@@ -11,6 +11,7 @@
 #include "collision/triangle_tree.h"
 #include "garment/nearness.h"
 #include "solver/base/error.h"
+#include "solver/mesh/numbering.h"
 #include "solver/mesh/topology.h"
 
 namespace ease {
@@ -76,23 +77,13 @@ void checkBounds(const CutMesh& cut, const Topology& topology, const std::vector
 }
 
 LoopedMesh extract(const CutMesh& cut, const std::vector<BoundaryLoop>& loops, const std::vector<char>& is_inside) {
-  std::vector<int> number(cut.mesh.positions.rows(), -1), used, kept;
-  for (int t = 0; t < cut.mesh.triangles.rows(); ++t) {
-    if (!is_inside[t]) continue;
-    kept.push_back(t);
-    for (int k = 0; k < 3; ++k) {
-      const int v = cut.mesh.triangles(t, k);
-      if (number[v] >= 0) continue;
-      number[v] = static_cast<int>(used.size());
-      used.push_back(v);
-    }
-  }
+  std::vector<int> kept;
+  for (int t = 0; t < cut.mesh.triangles.rows(); ++t)
+    if (is_inside[t]) kept.push_back(t);
+  const Numbering numbering = partNumbering(cut.mesh.triangles, std::move(kept));
+  const std::vector<int> number = newNumbers(numbering.vertices);
   LoopedMesh region;
-  region.mesh.positions.resize(used.size(), 3);
-  for (size_t v = 0; v < used.size(); ++v) region.mesh.positions.row(v) = cut.mesh.positions.row(used[v]);
-  region.mesh.triangles.resize(kept.size(), 3);
-  for (size_t t = 0; t < kept.size(); ++t)
-    for (int k = 0; k < 3; ++k) region.mesh.triangles(t, k) = number[cut.mesh.triangles(kept[t], k)];
+  region.mesh = renumbered(cut.mesh, numbering);
   for (size_t c = 0; c < loops.size(); ++c) {
     region.loops.push_back({loops[c].name, {}});
     for (const int v : cut.curves[c]) region.loops.back().vertices.push_back(number[v]);

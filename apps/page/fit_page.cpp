@@ -15,6 +15,7 @@
 #include "apps/page/pattern_in_page.h"
 #include "apps/page/verdict.h"
 #include "apps/run_pictures.h"
+#include "garment/pattern/svg_file.h"
 #include "solver/base/error.h"
 #include "solver/base/whole_file.h"
 

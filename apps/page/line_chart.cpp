@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "garment/pattern/svg_file.h"
 #include "viz/color_scale.h"
 
 namespace ease {
@@ -38,27 +39,6 @@ Range rangeOf(const LineChart& chart, bool of_x) {
 }
 
 }  // namespace
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  return result;
-}
 
 std::string toSvg(const LineChart& chart) {
   const Range x = rangeOf(chart, true), y = rangeOf(chart, false);

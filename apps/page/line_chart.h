@@ -23,7 +23,4 @@ struct LineChart {
 /// finite are left out.
 std::string toSvg(const LineChart& chart);
 
-/// The text with <, >, & and quotes as HTML and SVG want them.
-std::string escaped(const std::string& text);
-
 }  // namespace ease

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "apps/page/line_chart.h"
+#include "garment/pattern/svg_file.h"
 #include "solver/base/whole_file.h"
 #include "viz/jpeg.h"
 

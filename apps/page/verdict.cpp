@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "apps/page/line_chart.h"
+#include "garment/pattern/svg_file.h"
 
 namespace ease {
 

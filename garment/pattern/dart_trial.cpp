@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "solver/mesh/numbering.h"
+
 namespace ease {
 namespace {
 
@@ -46,26 +48,14 @@ Trial flattenPart(const PieceMesh& part, const std::vector<Seam>& darts, const F
 }
 
 PieceMesh partOf(const RestGarment& garment, const Pieces& pieces, int piece) {
-  PieceMesh part;
-  std::vector<int> number(pieces.glue.size(), -1);
   std::vector<int> triangles;
   for (size_t t = 0; t < pieces.piece.size(); ++t)
     if (pieces.piece[t] == piece) triangles.push_back(static_cast<int>(t));
-  part.mesh.triangles.resize(static_cast<int>(triangles.size()), 3);
-  for (size_t t = 0; t < triangles.size(); ++t) {
-    part.rest_edges.push_back(garment.rest_edges[triangles[t]]);
-    for (int k = 0; k < 3; ++k) {
-      const int v = pieces.mesh.triangles(triangles[t], k);
-      if (number[v] < 0) {
-        number[v] = static_cast<int>(part.garment_vertex.size());
-        part.garment_vertex.push_back(pieces.glue[v]);
-      }
-      part.mesh.triangles(static_cast<int>(t), k) = number[v];
-    }
-  }
-  part.mesh.positions.resize(static_cast<int>(part.garment_vertex.size()), 3);
-  for (size_t v = 0; v < part.garment_vertex.size(); ++v)
-    part.mesh.positions.row(static_cast<int>(v)) = garment.mesh.positions.row(part.garment_vertex[v]);
+  const Numbering numbering = partNumbering(pieces.mesh.triangles, std::move(triangles));
+  PieceMesh part;
+  part.garment_vertex = renumbered(pieces.glue, numbering.vertices);
+  part.rest_edges = renumbered(garment.rest_edges, numbering.triangles);
+  part.mesh = {renumbered(garment.mesh.positions, part.garment_vertex), renumbered(pieces.mesh.triangles, numbering)};
   return part;
 }
 

@@ -8,6 +8,7 @@
 #include "solver/base/error.h"
 #include "solver/linear/gradient_system.h"
 #include "solver/mesh/disjoint_sets.h"
+#include "solver/mesh/numbering.h"
 
 namespace ease {
 namespace {
@@ -168,28 +169,22 @@ std::vector<int> flippedPieces(const FlatPieces& pieces, const std::vector<int>&
 
 void flattenWithoutFlips(const FlatPieces& pieces, const std::vector<int>& piece, int which,
                          const WovenSettings& settings, Positions& x) {
-  FlatPieces one;
-  std::vector<int> number(pieces.vertices, -1), vertices;
-  for (int v = 0; v < pieces.vertices; ++v)
-    if (piece[v] == which) {
-      number[v] = one.vertices++;
-      vertices.push_back(v);
-    }
   std::vector<int> kept;
   for (int t = 0; t < pieces.triangles.rows(); ++t)
     if (piece[pieces.triangles(t, 0)] == which) kept.push_back(t);
-  one.triangles.resize(static_cast<int>(kept.size()), 3);
-  for (size_t t = 0; t < kept.size(); ++t) {
-    for (int k = 0; k < 3; ++k) one.triangles(static_cast<int>(t), k) = number[pieces.triangles(kept[t], k)];
-    one.rest_edges.push_back(pieces.rest_edges[kept[t]]);
-  }
+  const Numbering part = partNumbering(pieces.triangles, std::move(kept));
+  const std::vector<int> number = newNumbers(part.vertices);
+  FlatPieces one;
+  one.vertices = static_cast<int>(part.vertices.size());
+  one.triangles = renumbered(pieces.triangles, part);
+  one.rest_edges = renumbered(pieces.rest_edges, part.triangles);
   one.outlines.emplace_back();
   for (const int v : pieces.outlines[which]) one.outlines.front().push_back(number[v]);
   Positions flat = convexStart(one);
   FlipFree descent(one, settings);
   descent.descend(0.0, 1.0, flat);
   descent.descend(1.0, kBarrier, flat);
-  for (size_t v = 0; v < vertices.size(); ++v) x.row(vertices[v]) = flat.row(static_cast<int>(v));
+  for (int v = 0; v < one.vertices; ++v) x.row(part.vertices[v]) = flat.row(v);
 }
 
 }  // namespace ease

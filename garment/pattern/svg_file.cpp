@@ -9,23 +9,6 @@
 namespace ease {
 namespace {
 
-std::string escaped(const std::string& words) {
-  std::string text;
-  for (const char c : words) {
-    if (c == '&')
-      text += "&amp;";
-    else if (c == '<')
-      text += "&lt;";
-    else if (c == '>')
-      text += "&gt;";
-    else if (c == '"')
-      text += "&quot;";
-    else
-      text += c;
-  }
-  return text;
-}
-
 /// Writes into a string; y runs downwards from the upper end of the sheet.
 class SvgWriter {
  public:
@@ -117,6 +100,27 @@ int colourOf(Ink ink) {
       return 0x000000;
   }
   return 0;
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) switch (c) {
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  return result;
 }
 
 std::string svgText(const Drawing& drawing) {

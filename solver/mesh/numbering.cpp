@@ -33,7 +33,7 @@ std::vector<int> sorted(const std::vector<Key>& keys) {
 }  // namespace
 
 std::vector<int> newNumbers(const std::vector<int>& order) {
-  std::vector<int> numbers(order.size());
+  std::vector<int> numbers(order.empty() ? 0 : *std::ranges::max_element(order) + 1, -1);
   for (size_t k = 0; k < order.size(); ++k) numbers[order[k]] = static_cast<int>(k);
   return numbers;
 }
@@ -52,21 +52,33 @@ Numbering spatialNumbering(const TriangleMesh& mesh) {
   return numbering;
 }
 
+Numbering partNumbering(const Triangles& triangles, std::vector<int> kept) {
+  Numbering part{{}, std::move(kept)};
+  std::vector<char> is_numbered(triangles.size() > 0 ? triangles.maxCoeff() + 1 : 0, 0);
+  for (const int t : part.triangles)
+    for (const int v : triangles.row(t)) {
+      if (is_numbered[v]) continue;
+      is_numbered[v] = 1;
+      part.vertices.push_back(v);
+    }
+  return part;
+}
+
 TriangleMesh renumbered(const TriangleMesh& mesh, const Numbering& numbering) {
   return {renumbered(mesh.positions, numbering.vertices), renumbered(mesh.triangles, numbering)};
 }
 
 Triangles renumbered(const Triangles& triangles, const Numbering& numbering) {
   const std::vector<int> number = newNumbers(numbering.vertices);
-  Triangles ordered(triangles.rows(), 3);
-  for (int k = 0; k < triangles.rows(); ++k)
+  Triangles ordered(static_cast<int>(numbering.triangles.size()), 3);
+  for (int k = 0; k < ordered.rows(); ++k)
     for (int a = 0; a < 3; ++a) ordered(k, a) = number[triangles(numbering.triangles[k], a)];
   return ordered;
 }
 
 Positions renumbered(const Positions& positions, const std::vector<int>& order) {
-  Positions ordered(positions.rows(), 3);
-  for (int k = 0; k < positions.rows(); ++k) ordered.row(k) = positions.row(order[k]);
+  Positions ordered(static_cast<int>(order.size()), 3);
+  for (int k = 0; k < ordered.rows(); ++k) ordered.row(k) = positions.row(order[k]);
   return ordered;
 }
 

@@ -20,19 +20,23 @@ struct Numbering {
 /// Orders vertices along the curve, triangles by the first of their vertices on it.
 Numbering spatialNumbering(const TriangleMesh& mesh);
 
-/// Puts vertices and triangles in their new order; the three corners of a triangle keep their order.
+/// Numbers a part of a mesh: `kept` triangles in their order, and their vertices as these come to them first.
+Numbering partNumbering(const Triangles& triangles, std::vector<int> kept);
+
+/// Puts vertices and triangles in their new order; the three corners of a triangle keep their order.  With a part's
+/// numbering, returns the part.
 TriangleMesh renumbered(const TriangleMesh& mesh, const Numbering& numbering);
 Triangles renumbered(const Triangles& triangles, const Numbering& numbering);
 Positions renumbered(const Positions& positions, const std::vector<int>& order);
 
-/// Inverts an order: the new number of each vertex (or triangle).
+/// Inverts an order: the new number of each vertex (or triangle) up to the largest one that has one; -1: it has none.
 std::vector<int> newNumbers(const std::vector<int>& order);
 
 /// Puts values in the new order.
 template <class Value>
 std::vector<Value> renumbered(const std::vector<Value>& values, const std::vector<int>& order) {
-  std::vector<Value> ordered(values.size());
-  for (size_t k = 0; k < values.size(); ++k) ordered[k] = values[order[k]];
+  std::vector<Value> ordered(order.size());
+  for (size_t k = 0; k < order.size(); ++k) ordered[k] = values[order[k]];
   return ordered;
 }
 

@@ -1,4 +1,4 @@
-// Tests of `ease pattern` (apps/pattern_command.cpp) through the program.
+// Tests of `ease pattern` and of what `ease check` says of patterns (apps/pattern_command.cpp, apps/pattern_check.cpp).
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -124,4 +124,24 @@ TEST_CASE("pattern says in a line what it lacks") {
   CHECK(hemm.code == 1);
   CHECK(isOneLine(hemm.err));
   CHECK_THAT(hemm.err, Contains("[pattern] allowance.hemm: no piece has such a seam or edge; did you mean 'hem'?"));
+}
+
+TEST_CASE("a scene's pattern is checked where it has one, before anything is simulated") {
+  const TemporaryDirectory directory;
+  for (const auto& [pattern, message] : std::vector<std::pair<std::string, std::string>>{
+           {"[pattern]\nfabric_width = 0.2\n", "[pattern] fabric_width = 0.2: piece '"},
+           {"[pattern.allowance]\nhemm = 0.03\n", "[pattern] allowance.hemm: no piece has such a seam or edge"},
+           {"[[pattern.piece]]\nname = 'front'\nat = [0, 9, 0]\n", "[pattern] piece 'front'"},
+           {"[pattern.cuts]\nsymmetric = 3\n", "[pattern.cuts] symmetric = 3: the plane misses the garment"}}) {
+    directory.write("scene.toml", kTube + kSides + pattern);
+    const Outcome outcome = runEase(directory, "check scene.toml");
+    INFO(pattern);
+    CHECK(outcome.code == 1);
+    CHECK(isOneLine(outcome.err));
+    CHECK_THAT(outcome.err, Contains(message));
+  }
+  directory.write("scene.toml", kTube + kSides + "[pattern.allowance]\nhem = 0.03\n");
+  CHECK(runEase(directory, "check scene.toml").code == 0);
+  directory.write("scene.toml", kTube + kSides);  // it need not have one
+  CHECK(runEase(directory, "check scene.toml").code == 0);
 }

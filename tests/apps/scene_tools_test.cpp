@@ -107,7 +107,7 @@ TEST_CASE("a wrong tool is one line with what was expected") {
       {"[garment.comfort]\noffset = 0.5\n", "offset = 0.5: expected a number from 0 to 0.1 m"},
       {"[garment.comfort]\noffset = 0.01\n[collision]\noffset = 0.01\n",
        "expected either this or [garment.comfort] offset"},
-      {"[[garment.pin]]\nloop = 'neck'\n", "loop = 'neck': expected 'top' or 'hem'"},
+      {"[[garment.pin]]\nloop = 'neck'\n", "loop = 'neck': expected one of 'top', 'hem'"},
       {"[[garment.pin]]\nat = [0, 5, 0]\nradius = 0.1\n", "no vertex of the garment lies in this ball"},
       {"[[garment.seam]]\nname = 'side'\nfrom = 'hem'\n", "from = 'hem': expected to as well"},
       {"[[garment.seam]]\nname = 'side'\nfrom = 'hem'\nto = 'cuff'\n", "seam 'side': loop 'cuff': expected one of"},

@@ -52,10 +52,27 @@ TEST_CASE("a renumbered mesh has the same shape, and is restored to the last bit
             mesh.positions.row(mesh.triangles(numbering.triangles[k], a)));
 }
 
+TEST_CASE("a part of a mesh has the places of its triangles and no other vertex") {
+  const TriangleMesh mesh = shuffledSheet();
+  const std::vector<int> kept = {7, 3, 500};
+  const Numbering numbering = partNumbering(mesh.triangles, kept);
+  const TriangleMesh part = renumbered(mesh, numbering);
+  REQUIRE(part.triangles.rows() == 3);
+  CHECK(part.triangles.row(0) == Eigen::RowVector3i(0, 1, 2));  // in the order in which they are met
+  CHECK(part.triangles.maxCoeff() + 1 == part.positions.rows());
+  for (int k = 0; k < 3; ++k)
+    for (int a = 0; a < 3; ++a)
+      CHECK(part.positions.row(part.triangles(k, a)) == mesh.positions.row(mesh.triangles(kept[k], a)));
+  CHECK(newNumbers(numbering.vertices)[mesh.triangles(500, 1)] == part.triangles(2, 1));
+  CHECK(partNumbering(mesh.triangles, {}).vertices.empty());
+}
+
 TEST_CASE("values follow their numbers there and back") {
   const std::vector<int> order = {2, 0, 1};
   const std::vector<double> values = {10.0, 11.0, 12.0};
   CHECK(newNumbers(order) == std::vector<int>{1, 2, 0});
+  CHECK(newNumbers({3, 1}) == std::vector<int>{-1, 1, -1, 0});
+  CHECK(renumbered(values, {2, 1}) == std::vector<double>{12.0, 11.0});
   CHECK(renumbered(values, order) == std::vector<double>{12.0, 10.0, 11.0});
   CHECK(restored(renumbered(values, order), order) == values);
   CHECK(restored(std::vector<float>{5, 6, 1, 2, 3, 4}, order, 2) == std::vector<float>{1, 2, 3, 4, 5, 6});

@@ -22,7 +22,3 @@ TEST_CASE("a chart reaches down to negative values") {
   const std::string svg = toSvg({"stretch, %", "time, s", {{"run", "#123456", {{0.0, -25.0}, {1.0, 5.0}}}}, {}});
   CHECK_THAT(svg, Contains("d=\"M52.0 210.0L448.0 ") && Contains(">-20<"));
 }
-
-TEST_CASE("text is escaped for a web page") {
-  CHECK(escaped("a<b> & \"c\"") == "a&lt;b&gt; &amp; &quot;c&quot;");
-}

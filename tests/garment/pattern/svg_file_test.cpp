@@ -6,6 +6,10 @@
 
 using namespace ease;
 
+TEST_CASE("text is escaped for a drawing and a web page") {
+  CHECK(escaped("a<b> & \"c\"") == "a&lt;b&gt; &amp; &quot;c&quot;");
+}
+
 TEST_CASE("an SVG is valid XML in millimetres, and other programs draw it") {
   const Drawing sheet = drawSheet("a < b & c", {plainPiece("front (\"left\")")}, 1400.0);
   const std::string text = svgText(sheet);
