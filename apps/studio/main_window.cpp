@@ -1,5 +1,6 @@
 #include "apps/studio/main_window.h"
 
+#include <Eigen/Geometry>
 #include <QCloseEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -169,9 +170,16 @@ void MainWindow::look(double yaw_deg, double pitch_deg) {
 
 void MainWindow::frameView() {
   const Stage& stage = studio_->stage;
-  const Positions& x = stage.hasCloth() && parts_->selected() ? stage.cloth() : stage.body();
-  studio_->stage.camera.frame(x.colwise().minCoeff(), x.colwise().maxCoeff(),
-                              {std::max(1, view_->width()), std::max(1, view_->height())});
+  Eigen::AlignedBox3d box;
+  const auto add = [&box](const Positions& x) {
+    box.extend(Vec3(x.colwise().minCoeff()));
+    box.extend(Vec3(x.colwise().maxCoeff()));
+  };
+  if (stage.hasCloth() && parts_->selected())
+    add(stage.cloth());
+  else  // room for all poses, so that raised arms do not leave the view
+    for (const Positions& pose : studio_->bodyInput().poses) add(pose);
+  studio_->stage.camera.frame(box.min(), box.max(), {std::max(1, view_->width()), std::max(1, view_->height())});
   view_->refresh();
   other_->refresh();
 }

@@ -235,7 +235,7 @@ void MainWindow::makeSimulationMenu() {
   adapt_ = add(menu, "&Let out", "A", "Lets the rest shape out where the cloth is stretched beyond the limit",
                [this] { studio_->setAdapting(!studio_->adapts()); });
   adapt_->setCheckable(true);
-  tour_ = add(menu, "&Through all poses", "P", "The body goes from pose to pose until it is told to stay",
+  tour_ = add(menu, "&Through all poses", "P", "The body goes from pose to pose, and back, until it is told to stay",
               [this] { studio_->tour(!studio_->isOnTour()); });
   tour_->setCheckable(true);
   auto* bar = new QToolBar("Simulation");

@@ -164,8 +164,7 @@ bool Studio::poll() {
   }
   if (std::optional<LiveFrame> frame = simulation_->takeFrame()) {
     putOnStage(std::move(*frame));
-    if (is_on_tour_ && frame_ && frame_->pose == pose_ && frame_->way >= 1.0)
-      goTo((pose_ + 1) % static_cast<int>(body_.poses.size()));
+    if (is_on_tour_ && frame_ && frame_->pose == pose_ && frame_->way >= 1.0) goOnTour();
     is_new = true;
   }
   for (const std::string& message : simulation_->takeMessages()) {
@@ -230,7 +229,13 @@ void Studio::tour(bool goes_on) {
   is_on_tour_ = goes_on;
   if (!goes_on) return say("the body goes on to pose '" + body_.pose_names[pose_] + "' and stays there");
   if (!simulation_->plays()) play(true);
-  goTo((pose_ + 1) % static_cast<int>(body_.poses.size()));
+  goOnTour();
+}
+
+void Studio::goOnTour() {
+  if (pose_ == 0) tour_direction_ = 1;
+  if (pose_ + 1 == std::ssize(body_.poses)) tour_direction_ = -1;
+  goTo(pose_ + tour_direction_);
 }
 
 void Studio::setAdapting(bool adapts) {

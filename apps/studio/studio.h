@@ -76,7 +76,8 @@ class Studio {
   void step(int steps = 1);
   void startOver();
   void goTo(int pose);
-  /// Whether the body goes on to the next pose, after the last to the first, as soon as it has reached one.
+  /// Whether the body goes on to the next pose as soon as it has reached one: to the last pose, back to the first, and
+  /// forth again, as in a run.
   void tour(bool goes_on);
   bool isOnTour() const { return is_on_tour_; }
   void setAdapting(bool adapts);
@@ -94,6 +95,7 @@ class Studio {
   void takeMade();
   void showMade();
   void putOnStage(LiveFrame frame);
+  void goOnTour();
   /// Refuses a gesture while the garment is being made; returns whether it did.
   bool refuseWhileMaking();
   /// Waits for the garment that is being made; returns whether it could be made.
@@ -115,6 +117,7 @@ class Studio {
   std::optional<LiveFrame> frame_;
   bool adapts_ = false;
   bool is_on_tour_ = false;
+  int tour_direction_ = 1;  // -1: back to the first pose
   int pose_ = 0, text_revision_ = 0, mesh_revision_ = 0;
 };
 

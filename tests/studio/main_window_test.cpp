@@ -37,6 +37,9 @@ void WindowTest::theWindowShowsTheBody() {
   QVERIFY(body.value() < air.value() - 10);
   QVERIFY(std::abs(body.red() - body.blue()) < 40);
   QVERIFY(window_->findChild<QListWidget*>()->count() == 3);
+  for (const Positions& pose : window_->studio().bodyInput().poses)  // raised arms are in sight
+    for (const auto& x : pose.rowwise())
+      QVERIFY(window_->view().rect().contains(window_->view().pixelOf(x.transpose())));
   keepPicture("1_body");
 }
 
