@@ -22,7 +22,7 @@ constexpr double kStaleDistance = 4e-3;  // contacts are found again once a vert
 }  // namespace
 
 TimeStep::TimeStep(const Cloth& cloth, const MethodOptions& options, std::span<const int> ordering)
-    : options_(options), potential_(cloth), fixed_(cloth.vertexCount(), 0) {
+    : cloth_(cloth), options_(options), potential_(cloth), fixed_(cloth.vertexCount(), 0) {
   const Method method = options.method;
   if (method == Method::bw1 || method == Method::newton || method == Method::automatic)
     newton_.emplace(cloth, ordering);
@@ -49,6 +49,24 @@ void TimeStep::liftOut(Positions& x) const {
   for (int i = 0; i < x.rows(); ++i) lift(i, contacts_.planes[i]);
   for (const auto& [sample, plane] : contacts_.seconds)
     if (sample < x.rows()) lift(sample, plane);
+}
+
+void TimeStep::findContacts(const FindContacts& find_contacts) {
+  find_contacts(point_.x, contacts_);
+  if (contacts_.planes.empty()) return;
+  contacts_.seconds.insert(contacts_.seconds.end(), kept_.begin(), kept_.end());
+  contacts_.motions.insert(contacts_.motions.end(), kept_motions_.begin(), kept_motions_.end());
+}
+
+void TimeStep::keepPlanes() {
+  std::vector<Vec3> before, now;
+  cloth_.samples().positions(found_at_, before);
+  cloth_.samples().positions(point_.x, now);
+  for (int s = 0; s < std::ssize(contacts_.planes); ++s) {
+    if (contacts_.planes[s].normal.isZero(0.0) || (now[s] - before[s]).norm() <= kStaleDistance) continue;
+    kept_.push_back({s, contacts_.planes[s]});
+    if (!contacts_.motions.empty()) kept_motions_.push_back(contacts_.motions[s]);
+  }
 }
 
 void TimeStep::newton(const StopRule& stop, StepSummary& summary) {
@@ -112,9 +130,12 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
   bool forces_known = !has_friction || !normal_forces.empty();
   // Where no force is known, the first minimisation finds those that friction needs, and is repeated.
   const int max_rounds = (options_.method == Method::bw1 ? 1 : kMaxContactRounds) + (forces_known ? 0 : 1);
+  kept_.clear();
+  kept_motions_.clear();
   for (bool stale = true; stale && summary.contact_rounds < max_rounds;) {
+    if (summary.contact_rounds >= 2) keepPlanes();
     ++summary.contact_rounds;
-    find_contacts(point_.x, contacts_);
+    findContacts(find_contacts);
     potential_.setContacts(contacts_, normal_forces);
     liftOut(point_.x);
     found_at_ = point_.x;

@@ -9,8 +9,9 @@
 //
 // All methods minimise the same incremental potential and start at x_n + h v_n. Contacts are found there. If a vertex
 // then moves more than 4 mm, they are found again and the minimisation is repeated, up to four rounds in all; `bw1` has
-// one round.
-// With friction, each minimisation takes the normal forces at the end of the last one, in this step or the one before.
+// one round. From the third round on, a sample that moved that far in a round also stays above its planes of that
+// round: in a fold of the body it would otherwise go from one side to the other and back. With friction, each
+// minimisation takes the normal forces at the end of the last one, in this step or the one before.
 #pragma once
 
 #include <functional>
@@ -47,10 +48,15 @@ class TimeStep {
   /// Sets fixed_ and the positions of the pinned vertices.
   void holdPins(const Pins& pins, Positions& x);
   void liftOut(Positions& x) const;
+  /// Finds the contacts of a round, and adds the planes that are kept from earlier ones.
+  void findContacts(const FindContacts& find_contacts);
+  /// Keeps the planes of the samples that have moved far since they were found.
+  void keepPlanes();
   void minimise(StepSummary& summary);
   void newton(const StopRule& stop, StepSummary& summary);
   void projective(const StopRule& stop, bool accelerated, StepSummary& summary);
 
+  const Cloth& cloth_;
   MethodOptions options_;
   IncrementalPotential potential_;
   std::optional<Newton> newton_;
@@ -58,7 +64,9 @@ class TimeStep {
   MethodChoice choice_;  // used by auto
   std::vector<char> fixed_;
   Contacts contacts_;
-  Positions found_at_;  // positions at which the contacts were found
+  Positions found_at_;                  // positions at which the contacts were found, lifted out
+  std::vector<Contacts::Second> kept_;  // planes of earlier rounds of this step
+  std::vector<Vec3> kept_motions_;      // of the body there, m; empty without friction
   Point point_;
 };
 

@@ -44,6 +44,35 @@ TEST_CASE("free fall is what backward Euler makes of it") {
   CHECK((state.positions - expected).cwiseAbs().maxCoeff() < bound);
 }
 
+TEST_CASE("cloth that falls into a narrow groove ends between its sides, not within one of them") {
+  const Method method = GENERATE(Method::newton, Method::pd_lbfgs, Method::automatic);
+  TriangleMesh mesh = makeSheet(6, 6, 0.06, 0.06);  // upright, its lower edge above the bottom of the groove
+  mesh.positions = Positions(mesh.positions.rowwise() - mesh.positions.colwise().mean());
+  mesh.positions.col(1).array() += 0.025 - mesh.positions.col(1).minCoeff();
+  const Eigen::Vector3d across = Vec3::UnitZ();
+  REQUIRE(mesh.positions.col(2).cwiseAbs().maxCoeff() == 0.0);
+  const double slope = 10.0 * M_PI / 180.0;
+  const std::array<Vec3, 2> sides = {Vec3(0.0, std::sin(slope), 0.0) + std::cos(slope) * across,
+                                     Vec3(0.0, std::sin(slope), 0.0) - std::cos(slope) * across};
+  const Cloth cloth(mesh, Vec3(0.0, -1.0, 0.0), softCloth());
+  // As for a body, a sample has the plane of the nearest side alone.
+  const FindContacts nearest = [&](const Positions& x, Contacts& contacts) {
+    contacts.planes.assign(x.rows() + cloth.topology().edges.size() + cloth.triangleCount(), {});
+    contacts.seconds.clear();
+    for (int i = 0; i < x.rows(); ++i) {
+      const Vec3 at = x.row(i);
+      contacts.planes[i] = {sides[0].dot(at) < sides[1].dot(at) ? sides[0] : sides[1], 0.005, 0.01};
+    }
+  };
+  TimeStep step = makeStep(cloth, {method, 1e-3, 1e-3, 3000});
+  State state = atRest(mesh);
+  state.velocities.col(1).setConstant(-2.0);
+  StepOptions options;
+  options.h = 1.0 / 80.0;  // s: it falls to the bottom in one step
+  step.step(state, options, {}, nearest);
+  for (const Vec3& side : sides) CHECK((state.positions * side).minCoeff() > 0.0);
+}
+
 TEST_CASE("cloth goes on falling faster, at the tolerance of every day too") {
   const double h = GENERATE(0.0025, 1.0 / 60.0);
   const Method method = GENERATE(Method::bw1, Method::newton, Method::pd, Method::pd_lbfgs, Method::automatic);
