@@ -177,7 +177,7 @@ SceneInput renumbered(const SceneInput& input, const InputNumbering& numbering) 
   ordered.authored.reset();
   ordered.loops.clear();
   ordered.seams.clear();
-  ordered.offsets = renumbered(input.offsets, numbering.garment.vertices);
+  if (!input.offsets.empty()) ordered.offsets = renumbered(input.offsets, numbering.garment.vertices);
   if (!input.paint.empty()) ordered.paint = renumbered(input.paint, numbering.garment.triangles);
   ordered.body_triangles = renumbered(input.body_triangles, numbering.body);
   for (Positions& pose : ordered.poses) pose = renumbered(pose, numbering.body.vertices);

@@ -167,7 +167,7 @@ void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, 
     ++limited;
   };
   parallelFor(static_cast<int>(samples.size()), kGrain, [&](int s) { limit(s, contacts.planes[s]); });
-  for (auto& [sample, plane] : contacts.seconds) limit(sample, plane);
+  for (Contacts::Second& second : contacts.seconds) limit(second.sample, second.plane);
   rescues_.limited += limited;
 }
 

@@ -81,7 +81,8 @@ LoopedMesh extract(const CutMesh& cut, const std::vector<BoundaryLoop>& loops, c
   for (int t = 0; t < cut.mesh.triangles.rows(); ++t)
     if (is_inside[t]) kept.push_back(t);
   const Numbering numbering = partNumbering(cut.mesh.triangles, std::move(kept));
-  const std::vector<int> number = newNumbers(numbering.vertices);
+  std::vector<int> number = newNumbers(numbering.vertices);
+  number.resize(cut.mesh.positions.rows(), -1);
   LoopedMesh region;
   region.mesh = renumbered(cut.mesh, numbering);
   for (size_t c = 0; c < loops.size(); ++c) {

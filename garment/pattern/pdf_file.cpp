@@ -40,7 +40,7 @@ std::string latin1(const std::string& utf8) {
   return text;
 }
 
-std::string escaped(const std::string& words) {
+std::string escapedForPdf(const std::string& words) {
   std::string text;
   for (const char c : words) {
     if (c == '(' || c == ')' || c == '\\') text += '\\';
@@ -82,7 +82,7 @@ class Commands {
     const double size = text.height / kCapital, angle = text.angle * M_PI / 180.0, c = std::cos(angle),
                  s = std::sin(angle), half = 0.5 * size * widthOf(words);
     put("BT 0 g /F1 {:.3f} Tf {:.5f} {:.5f} {:.5f} {:.5f} {:.3f} {:.3f} Tm ({}) Tj ET\n", size, c, s, -s, c,
-        text.at.x() - half * c, text.at.y() - half * s, escaped(words));
+        text.at.x() - half * c, text.at.y() - half * s, escapedForPdf(words));
   }
 
   void piece(const DrawnPiece& piece) {

@@ -1,4 +1,4 @@
-// The value that a share of many lie at or below.
+// The value at or below which a given share of the values lies.
 #pragma once
 
 #include <algorithm>

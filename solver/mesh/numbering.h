@@ -20,7 +20,8 @@ struct Numbering {
 /// Orders vertices along the curve, triangles by the first of their vertices on it.
 Numbering spatialNumbering(const TriangleMesh& mesh);
 
-/// Numbers a part of a mesh: `kept` triangles in their order, and their vertices as these come to them first.
+/// Numbers a part of a mesh: the kept triangles in their order, the vertices in the order in which those first use
+/// them.
 Numbering partNumbering(const Triangles& triangles, std::vector<int> kept);
 
 /// Puts vertices and triangles in their new order; the three corners of a triangle keep their order.  With a part's
@@ -29,7 +30,8 @@ TriangleMesh renumbered(const TriangleMesh& mesh, const Numbering& numbering);
 Triangles renumbered(const Triangles& triangles, const Numbering& numbering);
 Positions renumbered(const Positions& positions, const std::vector<int>& order);
 
-/// Inverts an order: the new number of each vertex (or triangle) up to the largest one that has one; -1: it has none.
+/// Inverts an order: at v the new number of vertex (or triangle) v, -1 if the order lacks it; as long as its largest
+/// entry plus one.
 std::vector<int> newNumbers(const std::vector<int>& order);
 
 /// Puts values in the new order.

@@ -43,21 +43,23 @@ void ContactLanes::set(int lane, const Cloth& cloth, const HostedSample& hosted,
 
 FrictionLanes::FrictionLanes() {
   place_without_slip.x = place_without_slip.y = place_without_slip.z = limit = Lanes::Zero();
-  std::fill(std::begin(second), std::end(second), false);
+  std::fill(std::begin(force), std::end(force), -1);
 }
 
 void FrictionLanes::set(int lane, const Cloth& cloth, const HostedSample& hosted, const Contacts& contacts,
                         const FrictionStart& start, int second_plane) {
-  second[lane] = second_plane >= 0;
-  const size_t s = hosted.sample, count = contacts.planes.size();
+  const bool is_second = second_plane >= 0;
+  if (is_second && !contacts.seconds[second_plane].rubs) return;
+  const int count = static_cast<int>(contacts.planes.size());
+  force[lane] = is_second ? count + hosted.sample : hosted.sample;
   if (start.normal_forces.empty()) return;
-  limit[lane] = start.coefficient * start.normal_forces[second[lane] ? count + s : s];
+  limit[lane] = start.coefficient * start.normal_forces[force[lane]];
   if (limit[lane] == 0.0) return;
   any = true;
   Vec3 place = Vec3::Zero();
   const SampleCorners corners = cloth.samples().corners(hosted.sample);
   for (int k = 0; k < corners.count; ++k) place += Vec3(start.positions.row(corners.vertex[k])) / corners.count;
-  if (!contacts.motions.empty()) place += contacts.motions[second[lane] ? count + second_plane : s];
+  if (!contacts.motions.empty()) place += contacts.motions[is_second ? count + second_plane : hosted.sample];
   place_without_slip.x[lane] = place[0];
   place_without_slip.y[lane] = place[1];
   place_without_slip.z[lane] = place[2];
@@ -80,8 +82,9 @@ void ContactLayout::set(const Contacts& contacts, const FrictionStart* friction)
   empty_ = contacts.planes.empty();
   seconds_.clear();
   for (size_t k = 0; k < contacts.seconds.size(); ++k) {
-    const auto& [sample, plane] = contacts.seconds[k];
-    if (place_[sample] >= 0) seconds_.push_back({place_[sample], static_cast<int>(k), plane});
+    const Contacts::Second& second = contacts.seconds[k];
+    const int place = place_[second.sample];
+    if (place >= 0) seconds_.push_back({place, static_cast<int>(k), second.plane});
   }
   std::ranges::stable_sort(seconds_, {}, &Second::place);
   parallelFor(groupCount(), 1, [&](int g) { setGroup(g, contacts, friction); });

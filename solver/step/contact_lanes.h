@@ -65,7 +65,7 @@ struct FrictionLanes {
   Column<Lanes>
       place_without_slip;  // where the sample would be without slip, m: its start plus the motion of the body's surface
   Lanes limit;             // mu lambda, N: the largest force of friction
-  bool second[kLanes];     // whether the plane is the sample's second one
+  int force[kLanes];       // index of the plane's force in State::normal_forces; -1: no friction acts on the plane
   bool any = false;        // whether a limit is above 0
 
   /// All lanes are without friction.

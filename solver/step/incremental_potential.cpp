@@ -231,8 +231,7 @@ void IncrementalPotential::normalForces(const Positions& x, std::vector<double>&
       const Lanes depth = contact.depth(lanes_[contact.block].edgesAt(x));
       const Lanes push = contact.area * ease::contactPressure(depth, options_.contact_stiffness, contact.give);
       for (int l = 0; l < kLanes; ++l)
-        if (contact.sample[l] >= 0)
-          forces[contact.sample[l] + (contacts_.friction(g)[k].second[l] ? count : 0)] = push[l];
+        if (const int force = contacts_.friction(g)[k].force[l]; force >= 0) forces[force] = push[l];
     }
 }
 

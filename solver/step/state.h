@@ -11,7 +11,7 @@ struct State {
   Positions positions;   // n x 3, m
   Positions velocities;  // n x 3, m/s
   // With friction: force of the contact plane on each sample at the end of the last step, N, then that of each sample's
-  // second plane. Empty: none is known, and the next step finds them first.
+  // second plane that rubs. Empty: none is known, and the next step finds them first.
   std::vector<double> normal_forces = {};
 };
 

@@ -47,15 +47,16 @@ void TimeStep::liftOut(Positions& x) const {
     if (excess > 0.0 && !fixed_[i]) x.row(i) += excess * plane.normal;
   };
   for (int i = 0; i < x.rows(); ++i) lift(i, contacts_.planes[i]);
-  for (const auto& [sample, plane] : contacts_.seconds)
-    if (sample < x.rows()) lift(sample, plane);
+  for (const Contacts::Second& second : contacts_.seconds)
+    if (second.sample < x.rows()) lift(second.sample, second.plane);
 }
 
 void TimeStep::findContacts(const FindContacts& find_contacts) {
+  contacts_.seconds.clear();
+  contacts_.motions.clear();
   find_contacts(point_.x, contacts_);
   if (contacts_.planes.empty()) return;
   contacts_.seconds.insert(contacts_.seconds.end(), kept_.begin(), kept_.end());
-  contacts_.motions.insert(contacts_.motions.end(), kept_motions_.begin(), kept_motions_.end());
 }
 
 void TimeStep::keepPlanes() {
@@ -64,8 +65,7 @@ void TimeStep::keepPlanes() {
   cloth_.samples().positions(point_.x, now);
   for (int s = 0; s < std::ssize(contacts_.planes); ++s) {
     if (contacts_.planes[s].normal.isZero(0.0) || (now[s] - before[s]).norm() <= kStaleDistance) continue;
-    kept_.push_back({s, contacts_.planes[s]});
-    if (!contacts_.motions.empty()) kept_motions_.push_back(contacts_.motions[s]);
+    kept_.push_back({s, contacts_.planes[s], false});
   }
 }
 
@@ -131,7 +131,6 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
   // Where no force is known, the first minimisation finds those that friction needs, and is repeated.
   const int max_rounds = (options_.method == Method::bw1 ? 1 : kMaxContactRounds) + (forces_known ? 0 : 1);
   kept_.clear();
-  kept_motions_.clear();
   for (bool stale = true; stale && summary.contact_rounds < max_rounds;) {
     if (summary.contact_rounds >= 2) keepPlanes();
     ++summary.contact_rounds;

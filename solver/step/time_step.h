@@ -9,9 +9,10 @@
 //
 // All methods minimise the same incremental potential and start at x_n + h v_n. Contacts are found there. If a vertex
 // then moves more than 4 mm, they are found again and the minimisation is repeated, up to four rounds in all; `bw1` has
-// one round. From the third round on, a sample that moved that far in a round also stays above its planes of that
-// round: in a fold of the body it would otherwise go from one side to the other and back. With friction, each
-// minimisation takes the normal forces at the end of the last one, in this step or the one before.
+// one round. From the third round on, a sample that moved that far in a round also stays above its nearest plane of
+// that round: in a fold of the body it would otherwise go from one side to the other and back. Friction leaves these
+// planes out. With friction, each minimisation takes the normal forces at the end of the last one, in this step or the
+// one before.
 #pragma once
 
 #include <functional>
@@ -26,7 +27,7 @@
 namespace ease {
 
 /// Finds the contact plane of each sample of the cloth (model/contact.h) at positions x. Leaves the planes empty if
-/// nothing can touch.
+/// nothing can touch. `contacts` comes without second planes and motions; its first planes are those of the last call.
 using FindContacts = std::function<void(const Positions& x, Contacts& contacts)>;
 
 class TimeStep {
@@ -50,7 +51,7 @@ class TimeStep {
   void liftOut(Positions& x) const;
   /// Finds the contacts of a round, and adds the planes that are kept from earlier ones.
   void findContacts(const FindContacts& find_contacts);
-  /// Keeps the planes of the samples that have moved far since they were found.
+  /// Keeps the nearest plane of each sample that has moved far since it was found.
   void keepPlanes();
   void minimise(StepSummary& summary);
   void newton(const StopRule& stop, StepSummary& summary);
@@ -66,7 +67,6 @@ class TimeStep {
   Contacts contacts_;
   Positions found_at_;                  // positions at which the contacts were found, lifted out
   std::vector<Contacts::Second> kept_;  // planes of earlier rounds of this step
-  std::vector<Vec3> kept_motions_;      // of the body there, m; empty without friction
   Point point_;
 };
 

@@ -101,11 +101,17 @@ TEST_CASE("friction's potential is the sum over the samples' planes") {
   for (size_t s = 0; s < count; ++s)
     add(s, scene.contacts.planes[s].normal, scene.start.normal_forces[s], scene.contacts.motions[s]);
   for (size_t k = 0; k < scene.contacts.seconds.size(); ++k) {
-    const auto& [sample, plane] = scene.contacts.seconds[k];
-    add(sample, plane.normal, scene.start.normal_forces[count + sample], scene.contacts.motions[count + k]);
+    const Contacts::Second& second = scene.contacts.seconds[k];
+    add(second.sample, second.plane.normal, scene.start.normal_forces[count + second.sample],
+        scene.contacts.motions[count + k]);
   }
   REQUIRE(below > 5);
   REQUIRE(above > 5);
+  // A plane that does not rub, above which all samples are, changes nothing.
+  const int sample = scene.contacts.seconds.front().sample;
+  REQUIRE(scene.start.normal_forces[count + sample] > 0.0);
+  scene.contacts.seconds.push_back({sample, {Vec3::UnitX(), -100.0, 1e-3}, false});
+  scene.potential.setContacts(scene.contacts, scene.start.normal_forces);
   const double with = scene.energy(scene.x);
   scene.potential.setContacts(scene.contacts);
   CHECK(with - scene.energy(scene.x) == Approx(expected).epsilon(1e-9));
@@ -141,6 +147,7 @@ TEST_CASE("the normal forces are those of the contact planes at the positions as
   Contacts contacts;
   contacts.planes.assign(count, ContactPlane{Vec3::UnitZ(), 1e-3});
   contacts.seconds.push_back({4, {Vec3::UnitZ(), 2e-3}});
+  contacts.seconds.push_back({4, {Vec3::UnitZ(), 3e-3}, false});  // kept from an earlier round: friction leaves it out
   potential.setContacts(contacts);
   std::vector<double> forces;
   potential.normalForces(mesh.positions, forces);

@@ -58,7 +58,6 @@ TEST_CASE("cloth that falls into a narrow groove ends between its sides, not wit
   // As for a body, a sample has the plane of the nearest side alone.
   const FindContacts nearest = [&](const Positions& x, Contacts& contacts) {
     contacts.planes.assign(x.rows() + cloth.topology().edges.size() + cloth.triangleCount(), {});
-    contacts.seconds.clear();
     for (int i = 0; i < x.rows(); ++i) {
       const Vec3 at = x.row(i);
       contacts.planes[i] = {sides[0].dot(at) < sides[1].dot(at) ? sides[0] : sides[1], 0.005, 0.01};
