@@ -116,7 +116,8 @@ Json rescuesJson(const Report& report) {
           {"triangles_fully_grown", run.fully_grown},
           {"rest_edges_folded", report.folded_edges},
           {"contacts_held_between_parts", run.contact.held},
-          {"contacts_recovery_limited", run.contact.limited}};
+          {"contacts_recovery_limited", run.contact.limited},
+          {"contact_planes_kept", run.solver.kept_planes}};
 }
 
 /// Largest penetration of all passes, and that of each, mm.

@@ -47,7 +47,6 @@ struct InterpolatedPoses {
   std::vector<int> ordering;                      // elimination ordering of the body's mesh, systemOrdering()
   std::vector<PoseInterpolation> interpolations;  // from each pose to the next
 
-  InterpolatedPoses() = default;
   /// `ordering`: of the body's mesh, or empty to compute one.  Throws ComputationError as PoseInterpolation does.
   InterpolatedPoses(const Triangles& triangles, const std::vector<Positions>& poses, std::vector<int> ordering = {});
 };

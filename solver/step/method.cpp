@@ -27,6 +27,7 @@ StepSummary& StepSummary::operator+=(const StepSummary& other) {
   factorisations += other.factorisations;
   halvings += other.halvings;
   contact_rounds += other.contact_rounds;
+  kept_planes += other.kept_planes;
   handed_over += other.handed_over;
   short_of_tolerance += other.short_of_tolerance;
   return *this;

@@ -31,6 +31,7 @@ struct StepSummary {
   long factorisations = 0;
   long halvings = 0;        // number of times a correction was halved because it did not lower the potential enough
   long contact_rounds = 0;  // number of times contacts were found
+  long kept_planes = 0;     // contact planes that samples kept from earlier rounds of a step (time_step.h)
   long handed_over = 0;     // time steps in which `auto` handed over from pd-lbfgs to Newton
   // Time steps that ended before the tolerance was met, because of round-off or the limit on iterations.
   long short_of_tolerance = 0;

@@ -60,11 +60,11 @@ void TimeStep::findContacts(const FindContacts& find_contacts) {
 }
 
 void TimeStep::keepPlanes() {
-  std::vector<Vec3> before, now;
-  cloth_.samples().positions(found_at_, before);
-  cloth_.samples().positions(point_.x, now);
+  cloth_.samples().positions(found_at_, samples_found_at_);
+  cloth_.samples().positions(point_.x, samples_);
   for (int s = 0; s < std::ssize(contacts_.planes); ++s) {
-    if (contacts_.planes[s].normal.isZero(0.0) || (now[s] - before[s]).norm() <= kStaleDistance) continue;
+    if (contacts_.planes[s].normal.isZero(0.0) || (samples_[s] - samples_found_at_[s]).norm() <= kStaleDistance)
+      continue;
     kept_.push_back({s, contacts_.planes[s], false});
   }
 }
@@ -146,6 +146,7 @@ StepSummary TimeStep::step(State& state, const StepOptions& options, const Pins&
                                                                kStaleDistance * kStaleDistance);
     forces_known = true;
   }
+  summary.kept_planes = std::ssize(kept_);
   if (options_.method == Method::automatic)
     choice_.recordCost(static_cast<double>(summary.projective_iterations),
                        kNewtonCost * static_cast<double>(summary.newton_iterations) +

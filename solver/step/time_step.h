@@ -65,8 +65,9 @@ class TimeStep {
   MethodChoice choice_;  // used by auto
   std::vector<char> fixed_;
   Contacts contacts_;
-  Positions found_at_;                  // positions at which the contacts were found, lifted out
-  std::vector<Contacts::Second> kept_;  // planes of earlier rounds of this step
+  Positions found_at_;                            // positions at which the contacts were found, lifted out
+  std::vector<Contacts::Second> kept_;            // planes of earlier rounds of this step
+  std::vector<Vec3> samples_found_at_, samples_;  // m, where planes are kept
   Point point_;
 };
 
