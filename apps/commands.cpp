@@ -5,6 +5,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <new>
@@ -156,6 +157,7 @@ ExitCode garmentCommand(const Arguments& arguments, const std::atomic<bool>& int
 }
 
 ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
+  const auto begin = std::chrono::steady_clock::now();
   Scene scene = readScene(arguments.scene, arguments.directory.empty());
   if (arguments.threads >= 0) scene.solver.threads = arguments.threads;
   const fs::path directory = directoryOf(arguments, scene);
@@ -186,7 +188,7 @@ ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interru
     try {
       std::error_code differs;
       const bool same_directory = checkpoint && fs::equivalent(directory, arguments.resumed, differs);
-      const RunEnd end = runScene(scene, input, directory, interrupted, checkpoint, same_directory);
+      const RunEnd end = runScene(scene, input, directory, interrupted, begin, checkpoint, same_directory);
       if (end != RunEnd::interrupted) return end == RunEnd::doubtful ? kDoubtful : kDone;
     } catch (const ComputationError& error) {
       throw ComputationError(fmt::format("{}; what was written until then is in {}", error.what(), directory.string()));

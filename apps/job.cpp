@@ -34,8 +34,10 @@ class Job {
 
  public:
   Job(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-      const std::optional<Checkpoint>& resume_from, bool append_to_series, const std::atomic<bool>& interrupted)
-      : scene_(scene),
+      const std::optional<Checkpoint>& resume_from, bool append_to_series, const std::atomic<bool>& interrupted,
+      Clock::time_point begin)
+      : begin_(begin),
+        scene_(scene),
         given_(input),
         numbering_(numberingOf(input, resume_from)),
         input_(renumbered(input, numbering_)),
@@ -46,34 +48,31 @@ class Job {
 
   RunEnd operator()() {
     {
-      const Stopwatch total(report_.total_s);
-      {
-        const Stopwatch setup(report_.setup_s);
-        removeOldResults(directory_, append_to_series_);
-        setUp();
-      }
-      try {
-        if (fitsInPasses(scene_)) {
-          fit();
-        } else {
-          adaptingRun();
-          if (!interrupted_ && verifies()) replays();
-        }
-      } catch (const ComputationError& error) {
-        report_.failure = error.what();
-      }
-      progress_.reset();
-      if (!interrupted_ && report_.failure.empty()) {
-        doubt(scene_, given_, numbering_.garment, runInput(scene_, input_, nullptr).body_motion, report_);
-        drawPictures();
-      }
+      const Stopwatch setup(report_.setup_s);
+      removeOldResults(directory_, append_to_series_);
+      setUp();
     }
-    finishReport();
-    if (!interrupted_ && report_.failure.empty())
-      writeFitPage(
-          {scene_, given_, report_, album_before_, album_after_, restored(first_areas_, numbering_.garment.triangles),
-           restored(cloth_->restAreas(), numbering_.garment.triangles)},
-          directory_);
+    try {
+      if (fitsInPasses(scene_)) {
+        fit();
+      } else {
+        adaptingRun();
+        if (!interrupted_ && verifies()) replays();
+      }
+    } catch (const ComputationError& error) {
+      report_.failure = error.what();
+    }
+    progress_.reset();
+    if (!interrupted_ && report_.failure.empty()) {
+      doubt(scene_, given_, numbering_.garment, runInput(scene_, input_, nullptr).body_motion, report_);
+      drawPictures();
+      collectWarnings();
+      writePage();
+    } else {
+      collectWarnings();
+    }
+    report_.total_s = secondsSince(begin_);
+    writeReport(report_, scene_, directory_);
     if (!report_.failure.empty()) throw ComputationError(report_.failure);
     if (!interrupted_) removeEarlierReport(directory_);
     fmt::print("{}", summaryText(report_));
@@ -249,16 +248,24 @@ class Job {
       if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
   }
 
-  void finishReport() {
+  void collectWarnings() {
     for (const std::string& warning : runWarnings(report_)) report_.warnings.push_back(warning);
     report_.interrupted = interrupted_;
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
       std::fputs(fmt::format("ease: warning: {}\n", report_.warnings[k]).c_str(), stderr);
-    writeReport(report_, scene_, directory_);
+  }
+
+  void writePage() {
+    report_.total_s = secondsSince(begin_);
+    writeFitPage(
+        {scene_, given_, report_, album_before_, album_after_, restored(first_areas_, numbering_.garment.triangles),
+         restored(cloth_->restAreas(), numbering_.garment.triangles)},
+        directory_);
   }
 
   MovingBody* body() { return body_ ? &*body_ : nullptr; }
 
+  const Clock::time_point begin_;
   const Scene& scene_;
   const SceneInput& given_;  // in the numbering of its files
   const InputNumbering numbering_;
@@ -268,7 +275,6 @@ class Job {
   const bool append_to_series_;
   const std::atomic<bool>& interrupted_;
 
-  const Clock::time_point begin_ = Clock::now();
   std::optional<Cloth> cloth_;
   std::optional<MovingBody> body_;
   std::vector<double> first_areas_;  // areas of the first rest shape's triangles, m^2
@@ -282,9 +288,9 @@ class Job {
 }  // namespace
 
 RunEnd runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-                const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& resume_from,
-                bool append_to_series) {
-  return Job(scene, input, directory, resume_from, append_to_series, interrupted)();
+                const std::atomic<bool>& interrupted, std::chrono::steady_clock::time_point begin,
+                const std::optional<Checkpoint>& resume_from, bool append_to_series) {
+  return Job(scene, input, directory, resume_from, append_to_series, interrupted, begin)();
 }
 
 }  // namespace ease

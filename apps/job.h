@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 
@@ -15,10 +16,11 @@ enum class RunEnd { done, doubtful, interrupted };
 
 /// Simulates, adapts and verifies, and writes the results into `directory`, which must exist.  Ends as interrupted if
 /// `interrupted` became true before the end, and throws ComputationError if the computation fails; in both cases the
-/// files on disk are complete.  `resume_from`: checkpoint at which the run starts.  `append_to_series`: the resumed run
-/// writes into the directory of the earlier one and continues its series.
+/// files on disk are complete.  `begin`: since when the report counts all time.  `resume_from`: checkpoint at which the
+/// run starts.  `append_to_series`: the resumed run writes into the directory of the earlier one and continues its
+/// series.
 RunEnd runScene(const Scene& scene, const SceneInput& input, const std::filesystem::path& directory,
-                const std::atomic<bool>& interrupted, const std::optional<Checkpoint>& resume_from = std::nullopt,
-                bool append_to_series = false);
+                const std::atomic<bool>& interrupted, std::chrono::steady_clock::time_point begin,
+                const std::optional<Checkpoint>& resume_from = std::nullopt, bool append_to_series = false);
 
 }  // namespace ease

@@ -122,13 +122,13 @@ void checkSameInputs(const nlohmann::json& report, const Scene& scene, const fs:
 
 /// Checks the results of a finished run against the scene, or runs the scene; returns how that run ended.
 RunEnd runOrCheck(const Scene& scene, SceneInput& input, const fs::path& run, const fs::path& directory,
-                  bool finds_cuts, const std::atomic<bool>& interrupted) {
+                  bool finds_cuts, Clock::time_point begin, const std::atomic<bool>& interrupted) {
   const nlohmann::json report = finishedReport(run);
   if (report.is_null()) {
     if (!finds_cuts) checkPieces(scene, input);
     fmt::print("no finished run in {}: the scene is run first\n", run.string());
     if (input.authored) writeGarment(scene, input, directory, interrupted);
-    return runScene(scene, input, directory, interrupted);
+    return runScene(scene, input, directory, interrupted, begin);
   }
   checkSameLimit(report, scene, run);
   checkSameInputs(report, scene, run);
@@ -180,6 +180,7 @@ void checkSewn(const Scene& scene, const SceneInput& input, const RestShape& res
 }  // namespace
 
 ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& interrupted) {
+  const Clock::time_point begin = Clock::now();
   const bool is_directory = fs::is_directory(arguments.scene);
   Scene scene = readScene(is_directory ? sceneOf(arguments.scene) : arguments.scene);
   if (arguments.threads >= 0) scene.solver.threads = arguments.threads;
@@ -198,7 +199,7 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
     const bool finds_cuts = findsCuts(scene, input);
     const FlatSettings settings = flatSettings(scene);
     const ResultDirectory results(directory);
-    const RunEnd end = runOrCheck(scene, input, run, directory, finds_cuts, interrupted);
+    const RunEnd end = runOrCheck(scene, input, run, directory, finds_cuts, begin, interrupted);
     if (end == RunEnd::interrupted) {
       say("interrupted", fmt::format("what was written until then is in {}", directory.string()));
       return kInterrupted;

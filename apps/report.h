@@ -30,7 +30,8 @@ struct Report {
   std::optional<double> time_to_fit_s;  // from the start to the verified rest shape
   int folded_edges = 0;                 // in the adapted rest shape (stitch.h)
   RestGrowth growth;
-  double setup_s = 0.0, total_s = 0.0;
+  double setup_s = 0.0;
+  double total_s = 0.0;  // of the whole command, reading included
   bool interrupted = false;
   std::string failure;  // where and why the computation failed; empty if it did not
   std::vector<std::string> warnings;

@@ -1,4 +1,5 @@
-// A mesh in a live view whose points, normals and colours change from picture to picture.
+// A mesh in a picture, with smooth shading; its points, normals and colours may change from picture to picture.  The
+// actor draws what was set last and may outlive the rest.
 #pragma once
 
 #include <vtkActor.h>

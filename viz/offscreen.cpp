@@ -95,6 +95,7 @@ void OffscreenContext::lend(vtkGenericOpenGLRenderWindow& window) const {
   window.SetIsDirect(1);
   window.SetMapped(1);
   window.SetOffScreenRendering(1);
+  window.SetFrameBlitModeToNoBlit();  // pictures are read from memory, no screen shows them
 }
 
 void OffscreenContext::makeCurrent() const {

@@ -3,26 +3,22 @@
 #include <fmt/format.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
-#include <vtkUnsignedCharArray.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <string_view>
+#include <map>
 
 #include "solver/base/error.h"
 #include "viz/color_scale.h"
 #include "viz/lights.h"
+#include "viz/live_surface.h"
 #include "viz/overlay.h"
 #include "viz/poly_data.h"
 #include "viz/rendered_file.h"
@@ -47,37 +43,22 @@ void checkViews(const std::vector<StretchView>& views, double low, double high) 
   }
 }
 
-/// Makes an actor that draws a mesh with smooth shading.  `colors` has one colour per triangle, or is null.
-vtkSmartPointer<vtkActor> makeActor(const TriangleMesh& mesh, vtkUnsignedCharArray* colors) {
-  const auto surface = toPolyData(mesh.positions, toCells(mesh.triangles));
-  if (colors) surface->GetCellData()->SetScalars(colors);
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(normals->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetInterpolationToPhong();
-  actor->GetProperty()->SetAmbient(0.35);
-  actor->GetProperty()->SetDiffuse(0.65);
-  return actor;
-}
+constexpr Rgb kBodyColor = {199, 199, 199};
 
 vtkSmartPointer<vtkActor> garmentActor(const StretchView& view, const ColorScale& scale) {
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetNumberOfComponents(3);
-  for (float value : view.values) colors->InsertNextTypedTuple(scale.color(value).data());
-  auto actor = makeActor(*view.garment, colors);
-  return actor;
+  LiveSurface surface(kBodyColor);
+  surface.set(*view.garment);
+  std::vector<Rgb> colors;
+  for (float value : view.values) colors.push_back(scale.color(value));
+  surface.color(colors);
+  return surface.actor.Get();
 }
 
 vtkSmartPointer<vtkActor> bodyActor(const TriangleMesh& body) {
-  auto actor = makeActor(body, nullptr);
-  actor->GetProperty()->SetColor(0.78, 0.78, 0.78);
-  actor->GetProperty()->BackfaceCullingOn();  // a body is closed: nobody sees its inside
-  return actor;
+  LiveSurface surface(kBodyColor);
+  surface.set(body);
+  surface.actor->GetProperty()->BackfaceCullingOn();  // a body is closed: nobody sees its inside
+  return surface.actor.Get();
 }
 
 /// Makes an actor that draws a line.  The garment that it lies on does not hide it, but what is in front of both does.
@@ -124,15 +105,27 @@ void placeCamera(vtkRenderer* renderer, const Extent& extent, const Box& box, bo
   renderer->ResetCameraClippingRange();
 }
 
-void addScene(vtkRenderWindow* window, const StretchView& view, const ColorScale& scale, const Extent& extent,
-              const Box& box, bool from_behind) {
+using Actors = std::vector<vtkSmartPointer<vtkActor>>;
+
+/// Makes what each view shows.  A body that several show is made and handed to OpenGL once.
+std::vector<Actors> makeActors(const std::vector<StretchView>& views, const ColorScale& scale) {
+  std::vector<Actors> made;
+  std::map<const TriangleMesh*, vtkSmartPointer<vtkActor>> bodies;
+  for (const StretchView& view : views) {
+    Actors& actors = made.emplace_back(Actors{garmentActor(view, scale)});
+    if (view.body && !bodies[view.body]) bodies[view.body] = bodyActor(*view.body);
+    if (view.body) actors.push_back(bodies[view.body]);
+    for (const ViewLine& line : view.lines) actors.push_back(lineActor(line));
+  }
+  return made;
+}
+
+void addScene(vtkRenderWindow* window, const Actors& actors, const Extent& extent, const Box& box, bool from_behind) {
   vtkNew<vtkRenderer> renderer;
   renderer->SetViewport((box.x + kGutter) / kWidth, box.y / kHeight, (box.x + box.width - kGutter) / kWidth,
                         (box.y + box.height) / kHeight);
   renderer->SetBackground(1, 1, 1);
-  renderer->AddActor(garmentActor(view, scale));
-  if (view.body) renderer->AddActor(bodyActor(*view.body));
-  for (const ViewLine& line : view.lines) renderer->AddActor(lineActor(line));
+  for (const auto& actor : actors) renderer->AddActor(actor);
   addLights(renderer);
   placeCamera(renderer, extent, box, from_behind);
   window->AddRenderer(renderer);
@@ -163,12 +156,13 @@ void compose(vtkRenderWindow* window, Overlay& overlay, const std::vector<Stretc
   paper->SetBackground(1, 1, 1);
   window->AddRenderer(paper);
   const Extent extent = garmentExtent(views);
+  const std::vector<Actors> actors = makeActors(views, scale);
   const double width = static_cast<double>(kWidth) / static_cast<double>(views.size());
   for (std::size_t i = 0; i < views.size(); ++i) {
     const Box panel = {static_cast<double>(i) * width, kLegendBand, width, kHeight - kLegendBand - kTitleBand};
     const auto [front, back] = splitPanel(panel, extent);
-    addScene(window, views[i], scale, extent, front, false);
-    addScene(window, views[i], scale, extent, back, true);
+    addScene(window, actors[i], extent, front, false);
+    addScene(window, actors[i], extent, back, true);
     overlay.text(front.x + 24, front.y + 18, Align::left, "front", {15, grey});
     overlay.text(back.x + 24, back.y + 18, Align::left, "back", {15, grey});
     const double middle = panel.x + width / 2;

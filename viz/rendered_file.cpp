@@ -46,7 +46,7 @@ vtkSmartPointer<vtkImageData> averagedPixels(vtkRenderWindow* window, int width,
 void writePng(const std::filesystem::path& file, vtkImageData* image) {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
-  writer->SetCompressionLevel(6);
+  writer->SetCompressionLevel(4);  // 6 takes twice as long for files a tenth smaller
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();

@@ -122,13 +122,20 @@ class Writer {
         grey[0], grey[1], grey[2]);
   }
 
-  void row(PagePictures& pictures, const std::string& title, const ShownMoment& moment,
-           const std::vector<float>& values, const ColorScale& scale) {
-    add("<h4>{}</h4><div class=\"sides\">", title);
-    for (size_t side = 0; side < kSides.size(); ++side)
-      add("<figure><img src=\"{}\" alt=\"{}, {}\"><figcaption>{}</figcaption></figure>",
-          pictures.draw(moment, values, scale, side), title, kSides[side], kSides[side]);
-    add("</div>\n");
+  /// Rows of pictures, each value under its title and its colours.
+  void show(PagePictures& pictures, const std::vector<PictureRow>& rows) {
+    const std::vector<SidePictures> drawn = pictures.drawSides(rows);
+    for (size_t r = 0; r < rows.size(); ++r) {
+      if (r == 0 || rows[r].value.title != rows[r - 1].value.title) {
+        add("<h3>{}</h3>", rows[r].value.title);
+        legend(rows[r].value);
+      }
+      add("<h4>{}</h4><div class=\"sides\">", rows[r].title);
+      for (size_t side = 0; side < kSides.size(); ++side)
+        add("<figure><img src=\"{}\" alt=\"{}, {}\"><figcaption>{}</figcaption></figure>", drawn[r][side],
+            rows[r].title, kSides[side], kSides[side]);
+      add("</div>\n");
+    }
   }
 
   void moment(const std::string& title, const ShownMoment* before, const ShownMoment& after, PagePictures* pictures) {
@@ -137,18 +144,12 @@ class Writer {
     table(before, after);
     if (!pictures) return;
     const char* when = hasBefore() ? "after" : "as simulated";
-    add("<h3>Stretch</h3>");
-    legend(stretch());
-    if (before && before->time_s > 0.0) row(*pictures, "before", *before, before->sigma_1, stretchScale());
-    row(*pictures, when, after, after.sigma_1, stretchScale());
-    const auto show = [&](const ShownValue& value, const std::vector<float>& values) {
-      if (values.empty()) return;
-      add("<h3>{}</h3>", value.title);
-      legend(value);
-      row(*pictures, when, after, values, value.scale);
-    };
-    show(pressure(), after.pressure);
-    show(distance(), after.distance);
+    std::vector<PictureRow> rows;
+    if (before && before->time_s > 0.0) rows.push_back({"before", stretch(), before, &before->sigma_1});
+    rows.push_back({when, stretch(), &after, &after.sigma_1});
+    if (!after.pressure.empty()) rows.push_back({when, pressure(), &after, &after.pressure});
+    if (!after.distance.empty()) rows.push_back({when, distance(), &after, &after.distance});
+    show(*pictures, rows);
   }
 
   void table(const ShownMoment* before, const ShownMoment& after) {
@@ -180,8 +181,7 @@ class Writer {
     const double most = std::max(1.2, std::ceil(10.0 * *std::max_element(values.begin(), values.end())) / 10.0);
     const ShownValue value{"Growth", "%", 100.0, {1.0, most, most}, {}};
     add("<h2>Where cloth was added</h2>\n<p>Area of the rest shape over that of the garment as it was.</p>");
-    legend(value);
-    row(pictures, "growth", page_.after.moments.front(), values, value.scale);
+    show(pictures, {{"after", value, &page_.after.moments.front(), &values}});
   }
 
   void tightest() {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "solver/base/parallel.h"
 #include "viz/jpeg.h"
 
 namespace ease {
@@ -11,6 +12,18 @@ namespace {
 constexpr PictureSize kSideSize = {360, 460}, kFrameSize = {520, 620};  // pixels
 constexpr std::array<double, 4> kYaw = {0.0, 180.0, 90.0, -90.0};       // degrees, as kSides
 constexpr double kFrameYaw = 25.0;                                      // degrees
+
+void extend(Eigen::AlignedBox3d& box, const Positions& x) {
+  box.extend(x.colwise().minCoeff().transpose()).extend(x.colwise().maxCoeff().transpose());
+}
+
+std::vector<std::string> encoded(const std::vector<Picture>& pictures) {
+  std::vector<std::string> uris(pictures.size());
+  parallelBlocks(static_cast<int>(pictures.size()), 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) uris[k] = jpegDataUri(pictures[k]);
+  });
+  return uris;
+}
 
 }  // namespace
 
@@ -22,26 +35,31 @@ PagePictures::PagePictures(const SceneInput& input)
   if (!input.poses.empty()) view_.setBody({input.poses.front().rowwise() - origin_.transpose(), input.body_triangles});
 }
 
-std::string PagePictures::draw(const ShownMoment& moment, const std::vector<float>& values, const ColorScale& scale,
-                               size_t side) {
-  return drawn(moment, values, scale, moment.garment.colwise().minCoeff(), moment.garment.colwise().maxCoeff(),
-               kYaw[side], kSideSize);
+// All rows from one side after another: the view draws a body that stands still only twice.
+std::vector<SidePictures> PagePictures::drawSides(const std::vector<PictureRow>& rows) {
+  Eigen::AlignedBox3d extent;
+  for (const PictureRow& row : rows) extend(extent, row.moment->garment);
+  std::vector<Picture> pictures;
+  for (double yaw_deg : kYaw)
+    for (const PictureRow& row : rows)
+      pictures.push_back(draw(*row.moment, *row.values, row.value.scale, extent, yaw_deg, kSideSize));
+  std::vector<std::string> uris = encoded(pictures);
+  std::vector<SidePictures> sides(rows.size());
+  for (size_t k = 0; k < uris.size(); ++k) sides[k % rows.size()][k / rows.size()] = std::move(uris[k]);
+  return sides;
 }
 
 std::vector<std::string> PagePictures::drawFrames(const MotionAlbum& album, const ColorScale& scale) {
-  Vec3 lower = album.moments.front().garment.row(0), upper = lower;
-  for (const ShownMoment& each : album.moments) {
-    lower = lower.cwiseMin(each.garment.colwise().minCoeff().transpose());
-    upper = upper.cwiseMax(each.garment.colwise().maxCoeff().transpose());
-  }
-  std::vector<std::string> frames;
+  Eigen::AlignedBox3d extent;
+  for (const ShownMoment& moment : album.moments) extend(extent, moment.garment);
+  std::vector<Picture> pictures;
   for (const ShownMoment& moment : album.moments)
-    frames.push_back(drawn(moment, moment.sigma_1, scale, lower, upper, kFrameYaw, kFrameSize));
-  return frames;
+    pictures.push_back(draw(moment, moment.sigma_1, scale, extent, kFrameYaw, kFrameSize));
+  return encoded(pictures);
 }
 
-std::string PagePictures::drawn(const ShownMoment& moment, const std::vector<float>& values, const ColorScale& scale,
-                                const Vec3& lower, const Vec3& upper, double yaw_deg, const PictureSize& size) {
+const Picture& PagePictures::draw(const ShownMoment& moment, const std::vector<float>& values, const ColorScale& scale,
+                                  const Eigen::AlignedBox3d& extent, double yaw_deg, const PictureSize& size) {
   const Triangles& triangles = input_.garment.triangles;
   const bool of_vertices = static_cast<long>(values.size()) == moment.garment.rows();
   std::vector<Rgb> colors(triangles.rows());
@@ -55,8 +73,8 @@ std::string PagePictures::drawn(const ShownMoment& moment, const std::vector<flo
   if (moment.body.rows() > 0) view_.moveBody(moment.body.rowwise() - origin_.transpose());
   Camera camera;
   camera.yaw_deg = yaw_deg;
-  camera.frame(lower - origin_, upper - origin_, size);
-  return jpegDataUri(view_.draw(camera, size));
+  camera.frame(extent.min() - origin_, extent.max() - origin_, size);
+  return view_.draw(camera, size);
 }
 
 }  // namespace ease

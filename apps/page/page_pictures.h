@@ -1,9 +1,8 @@
-// Pictures of the garment for the page of a run: one moment, coloured by a value, from four sides.
+// Pictures of the garment for the page of a run, coloured by a value: at one moment from four sides, or through the
+// motion.
 #pragma once
 
 #include <array>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,19 +23,30 @@ struct ShownValue {
 
 constexpr std::array<const char*, 4> kSides = {"front", "back", "wearer's left", "wearer's right"};
 
+/// A row of pictures: the garment at a moment from all sides, coloured by a value.
+struct PictureRow {
+  std::string title;
+  ShownValue value;
+  const ShownMoment* moment;
+  const std::vector<float>* values;  // of every triangle, or of every vertex
+};
+
+/// A picture from each side, as data URIs.
+using SidePictures = std::array<std::string, kSides.size()>;
+
 class PagePictures {
  public:
   /// Throws ComputationError where no OpenGL context can be made.
   explicit PagePictures(const SceneInput& input);
 
-  /// The garment at a moment from a side (kSides), as a data URI.  `values`: of every triangle, or of every vertex.
-  std::string draw(const ShownMoment& moment, const std::vector<float>& values, const ColorScale& scale, size_t side);
-  /// The stretch at all moments of an album, from the front, with one camera.
+  /// Draws every row, with one camera for each side.
+  std::vector<SidePictures> drawSides(const std::vector<PictureRow>& rows);
+  /// Draws the stretch at all moments of an album, from the front, with one camera; as data URIs.
   std::vector<std::string> drawFrames(const MotionAlbum& album, const ColorScale& scale);
 
  private:
-  std::string drawn(const ShownMoment& moment, const std::vector<float>& values, const ColorScale& scale,
-                    const Vec3& lower, const Vec3& upper, double yaw_deg, const PictureSize& size);
+  const Picture& draw(const ShownMoment& moment, const std::vector<float>& values, const ColorScale& scale,
+                      const Eigen::AlignedBox3d& extent, double yaw_deg, const PictureSize& size);
 
   const SceneInput& input_;
   Vec3 origin_;  // m: pictures are drawn in single precision, around the garment

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cstdlib>
 #include <sstream>
 
@@ -114,7 +115,7 @@ TEST_CASE("a damaged scene is refused in one line, or runs") {
         return;
       runs = true;
       std::atomic<bool> interrupted = false;
-      runScene(scene, input, directory.path / "results", interrupted);
+      runScene(scene, input, directory.path / "results", interrupted, std::chrono::steady_clock::now());
     });
     checkOneLine(message);
     ran += runs ? 1 : 0;

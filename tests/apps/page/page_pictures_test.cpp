@@ -22,12 +22,15 @@ TEST_CASE("a moment is drawn from four sides, coloured by a value of triangles o
   ShownMoment moment;
   moment.garment = input.garment.positions;
   moment.sigma_1.assign(input.garment.triangles.rows(), 1.0F);
-  const ColorScale scale(1.0, 1.2, 1.1);
+  const ShownValue value{"", "", 1.0, ColorScale(1.0, 1.2, 1.1), {}};
   const std::vector<float> over(input.garment.positions.rows(), 1.15F);
-  const std::string within = pictures->draw(moment, moment.sigma_1, scale, 0);
-  CHECK_THAT(within, StartsWith("data:image/jpeg;base64,"));
-  CHECK(pictures->draw(moment, over, scale, 0) != within);
-  CHECK(pictures->draw(moment, moment.sigma_1, scale, 2) != within);  // a sheet seen along its plane
-  CHECK(pictures->draw(moment, moment.sigma_1, scale, 0) == within);
-  CHECK_THAT(pictures->drawFrames({{moment}, {}, {}}, scale).front(), StartsWith("data:image/jpeg;base64,"));
+  const auto drawn = pictures->drawSides({{"within", value, &moment, &moment.sigma_1},
+                                          {"over", value, &moment, &over},
+                                          {"within again", value, &moment, &moment.sigma_1}});
+  for (const SidePictures& row : drawn)
+    for (const std::string& picture : row) CHECK_THAT(picture, StartsWith("data:image/jpeg;base64,"));
+  CHECK(drawn[0][0] != drawn[1][0]);
+  CHECK(drawn[0][0] != drawn[0][2]);  // a sheet seen along its plane
+  CHECK(drawn[0] == drawn[2]);
+  CHECK_THAT(pictures->drawFrames({{moment}, {}, {}}, value.scale).front(), StartsWith("data:image/jpeg;base64,"));
 }
