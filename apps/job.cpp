@@ -233,7 +233,7 @@ class Job {
 
   /// Shows how the replays began and ended; without replays, how the run ended.
   void drawPictures() {
-    const double limit = scene_.adaption ? report_.limit : kShownStretch;
+    const double limit = shownLimit(scene_);
     const std::vector<int> poses = posesOfMotion(report_.verified ? replaySchedule(scene_) : adaptingSchedule(scene_));
     const auto body = [&](size_t visit) {
       return body_ ? TriangleMesh{input_.poses[poses[visit]], input_.body_triangles} : TriangleMesh();

@@ -155,7 +155,7 @@ std::string patternJson(const Scene& scene, const MadePattern& made) {
     Json notches = Json::array();
     for (const Notch& notch : piece.notches) notches.push_back({notch.at.x(), notch.at.y()});
     Json numbers = Json::array({piece.source});
-    if (piece.twin >= 0) numbers.push_back(piece.twin);
+    if (piece.mirror_image >= 0) numbers.push_back(piece.mirror_image);
     const auto grain = std::find_if(piece.lines.begin(), piece.lines.end(),
                                     [](const DrawnLine& line) { return line.ink == Ink::grain; });
     json["outlines"].push_back({{"name", piece.name},

@@ -58,7 +58,7 @@ class Replay {
   Cloth& cloth() { return cloth_; }
 
   /// `demand`: is told all stretches; may be null. `which`: the garment, for the line of progress.
-  Replayed of(const RestShape& rest, GrowthDemand* demand, const std::string& which) {
+  Replayed simulate(const RestShape& rest, GrowthDemand* demand, const std::string& which) {
     which_ = which;
     Replayed replayed;
     if (scene_.body) pass(held_scene_, held_input_, &*held_body_, rest, demand, replayed, true);
@@ -190,10 +190,11 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
     return RestShape{renumbered(designed.positions, numbering.garment.vertices),
                      renumbered(edges, numbering.garment.triangles)};
   };
-  const Replayed as_designed = replay.of(numbered(designed.edges), nullptr, "designed garment");
+  const Replayed as_designed = replay.simulate(numbered(designed.edges), nullptr, "designed garment");
   result.has_limit = scene.adaption.has_value();
   GrowthDemand demand(kLetOut * (scene.adaption ? scene.adaption->limit : 0.1));
-  Replayed as_sewn = replay.of(numbered(sewnEdges(pattern)), result.has_limit ? &demand : nullptr, "sewn garment");
+  Replayed as_sewn =
+      replay.simulate(numbered(sewnEdges(pattern)), result.has_limit ? &demand : nullptr, "sewn garment");
   compare(scene, input, pattern, as_designed, as_sewn, result);
   result.wall_s = wall();
   if (!result.has_limit) return result;
@@ -208,7 +209,7 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
     const std::vector<Mat2> grown = restored(replay.cloth().restEdges(), numbering.garment.triangles);
     loosen(input.garment.triangles, sewnEdges(trial), grown, excess);
     trial = flattenAgain(trial, grown, settings, excess);
-    as_sewn = replay.of(numbered(sewnEdges(trial)), &demand, fmt::format("let out {}", counted(round, "time")));
+    as_sewn = replay.simulate(numbered(sewnEdges(trial)), &demand, fmt::format("let out {}", counted(round, "time")));
     if (as_sewn.over_limit >= result.over_limit || closesPiece(pattern, trial)) continue;
     pattern = trial;
     compare(scene, input, pattern, as_designed, as_sewn, result);

@@ -8,6 +8,10 @@
 
 namespace ease {
 
+double shownLimit(const Scene& scene) {
+  return scene.adaption ? scene.adaption->limit : 0.1;
+}
+
 ShownGarment showGarment(const Cloth& cloth, const Positions& x) {
   ShownGarment shown{{x, cloth.triangles()}, {}};
   measureStretch(cloth, x, shown.stretch);

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "adaption/stretch_measure.h"
+#include "apps/scene.h"
 
 namespace ease {
 
-/// Stretch that pictures mark where a run has no limit.
-inline constexpr double kShownStretch = 0.1;
+/// The stretch that pictures mark: the scene's limit, or 0.1 without one.
+double shownLimit(const Scene& scene);
 
 /// A garment to be drawn in a picture.
 struct ShownGarment {

@@ -29,9 +29,7 @@ constexpr double kLooseEase = 0.05;                                          // 
 class Writer {
  public:
   explicit Writer(const FitPage& page)
-      : page_(page),
-        limit_(page.scene.adaption ? page.report.limit : kShownStretch),
-        areas_(garmentAreas(page.scene, page.input)) {
+      : page_(page), limit_(shownLimit(page.scene)), areas_(garmentAreas(page.scene, page.input)) {
     for (size_t t = 0; t < page.rest_areas.size(); ++t) growth_.push_back(page.rest_areas[t] / page.first_areas[t]);
   }
 

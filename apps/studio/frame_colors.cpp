@@ -15,10 +15,6 @@ constexpr double kMaxPressure = 2000.0;  // Pa: about what a tight waistband pre
 constexpr double kMaxEase = 50.0;        // mm
 constexpr double kMaxShownGrowth = 1.5;  // area over area
 
-double limitOf(const Scene& scene) {
-  return scene.adaption ? scene.adaption->limit : kShownStretch;
-}
-
 /// Mean of the triangle's corners.
 double meanAt(const std::vector<double>& values, const Triangles& triangles, int t) {
   return (values[triangles(t, 0)] + values[triangles(t, 1)] + values[triangles(t, 2)]) / 3.0;
@@ -48,7 +44,7 @@ ShownScale scaleOf(Shown shown, const Scene& scene) {
     default:
       break;
   }
-  const double limit = limitOf(scene);
+  const double limit = shownLimit(scene);
   return {ColorScale(1.0, 1.0 + 2.0 * limit, 1.0 + limit), "stretch (largest principal)", true};
 }
 

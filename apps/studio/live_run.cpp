@@ -27,7 +27,7 @@ LiveRun::LiveRun(std::shared_ptr<const MadeGarment> made) : made_(std::move(made
 }
 
 double LiveRun::limit() const {
-  return made_->scene.adaption ? made_->scene.adaption->limit : kShownStretch;
+  return shownLimit(made_->scene);
 }
 
 double LiveRun::largestOffset() const {
@@ -174,8 +174,7 @@ std::string LiveRun::change(std::shared_ptr<const MadeGarment> made) {
 std::string LiveRun::changeInPlace(const MadeGarment& before) {
   const std::vector<PinAnchor> anchors = pins_.anchors();
   const bool same_material = before.scene.material == made_->scene.material;
-  const auto limit = [](const Scene& scene) { return scene.adaption ? scene.adaption->limit : kShownStretch; };
-  const bool same_settings = same_material && limit(before.scene) == limit(made_->scene) &&
+  const bool same_settings = same_material && shownLimit(before.scene) == shownLimit(made_->scene) &&
                              before.scene.collision.friction == made_->scene.collision.friction &&
                              before.scene.collision.offset == made_->scene.collision.offset;
   if (!same_material) {  // the rest shapes stay

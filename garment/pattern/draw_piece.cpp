@@ -114,8 +114,8 @@ std::string seamWords(const FlatPattern& pattern, const PieceEdge& edge, const D
     return 0.6 * kSeamNameHeight * static_cast<double>(lettersOf(words)) <= length;
   };
   const std::string by_name =
-      edge.name + " > " + (other == piece.twin ? "its mirror image" : pattern.pieces[other].name);
-  if (fits(by_name) && (piece.twin < 0 || other == piece.twin)) return by_name;
+      edge.name + " > " + (other == piece.mirror_image ? "its mirror image" : pattern.pieces[other].name);
+  if (fits(by_name) && (piece.mirror_image < 0 || other == piece.mirror_image)) return by_name;
   const std::string by_number = fmt::format("{} > {}", edge.name, numbers[other]);
   return fits(by_number) ? by_number : edge.name;
 }
@@ -124,7 +124,7 @@ std::string seamWords(const FlatPattern& pattern, const PieceEdge& edge, const D
 void addWords(const FlatPattern& pattern, const SewLine& line, const std::vector<int>& numbers, DrawnPiece& piece) {
   const PaperPoint middle = middleOf(piece.sew);
   const double room = std::max(20.0, 2.0 * depthWithin(middle, piece.sew));
-  const std::string number = fmt::format("piece {} of {}", piece.number, piece.of),
+  const std::string number = fmt::format("piece {} of {}", piece.number, piece.count),
                     cut = cutText(piece, pattern.pieces[piece.source].grain);
   const double widest = std::max({0.62 * kNameHeight * static_cast<double>(lettersOf(piece.name)),
                                   0.62 * kTextHeight * static_cast<double>(std::max(number.size(), cut.size()))});
@@ -178,12 +178,12 @@ std::vector<DrawnPiece> drawPieces(const FlatPattern& pattern, const Allowances&
     if (mirror[p] >= 0) continue;
     DrawnPiece& piece = drawn[p];
     piece.number = numbers[p];
-    piece.of = count;
+    piece.count = count;
     for (size_t q = p + 1; q < drawn.size(); ++q)
       if (mirror[q] == static_cast<int>(p)) {
         piece.quantity = 2;
         piece.mirrored = true;
-        piece.twin = static_cast<int>(q);
+        piece.mirror_image = static_cast<int>(q);
         piece.name += " / " + drawn[q].name;
       }
     addSeamNotches(pattern, lines, cuts, piece);

@@ -44,11 +44,11 @@ struct Notch {
 struct DrawnPiece {
   std::string name;
   int number = 0;                                      // from 1
-  int of = 0;                                          // pieces in all
+  int count = 0;                                       // pieces in all
   int quantity = 1;                                    // to be cut
   bool mirrored = false;                               // of two, one is the mirror image
   int source = 0;                                      // number of the piece in the flat pattern, from 0
-  int twin = -1;                                       // and of the one that is its mirror image; -1: none
+  int mirror_image = -1;                               // and of the one that is its mirror image; -1: none
   Eigen::Matrix2d axes = Eigen::Matrix2d::Identity();  // from (warp, weft), m, to the drawing, mm: axes * x + origin
   PaperPoint origin = PaperPoint::Zero();
   std::vector<PaperPoint> cut, sew;  // closed, counter-clockwise

@@ -3,7 +3,7 @@
 // Elements are independent in parallelFor; parallelSum adds partial sums of 64 fixed blocks in a fixed order.
 //
 // ThreadSanitizer cannot see the synchronisation inside a libtbb built without it and would report every loop; in
-// builds with it, loops and tasks therefore run on std::async.
+// builds with it, loops therefore run on two threads and tasks on std::async.
 #pragma once
 
 #include <oneapi/tbb/blocked_range.h>
@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <future>
+#ifdef __SANITIZE_THREAD__
+#include "solver/base/helper_thread.h"
+#endif
 
 namespace ease {
 
@@ -21,12 +24,23 @@ namespace ease {
 /// Calls range(begin, end) for blocks of [0, count) in parallel.
 template <class Range>
 void parallelBlocks(int count, int grain, const Range& range) {
+  HelperThread& helper = helperThread();
+  if (helper.isBusy()) {  // a loop within a loop
+    range(0, count);
+    return;
+  }
   const auto every_second = [&](int first) {
     for (int b = first * grain; b < count; b += 2 * grain) range(b, std::min(count, b + grain));
   };
-  std::future<void> others = std::async(std::launch::async, every_second, 1);
-  every_second(0);
-  others.get();
+  const std::function<void()> others = [&] { every_second(1); };
+  helper.start(others);
+  try {
+    every_second(0);
+  } catch (...) {
+    helper.wait();
+    throw;
+  }
+  helper.wait();
 }
 
 /// A task that runs beside the code that follows.

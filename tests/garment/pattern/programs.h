@@ -51,7 +51,7 @@ class TemporaryFile {
 inline DrawnPiece plainPiece(const std::string& name, double width = 200.0, double height = 300.0) {
   DrawnPiece piece;
   piece.name = name;
-  piece.number = piece.of = 1;
+  piece.number = piece.count = 1;
   piece.sew = {{0, 0}, {width, 0}, {width, height}, {0, height}};
   piece.sew_corners = {0, 1, 2, 3};
   piece.cut = {{-10, -10}, {width + 10, -10}, {width + 10, height + 10}, {-10, height + 10}};
