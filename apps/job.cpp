@@ -47,11 +47,7 @@ class Job {
         interrupted_(interrupted) {}
 
   RunEnd operator()() {
-    {
-      const Stopwatch setup(report_.setup_s);
-      removeOldResults(directory_, append_to_series_);
-      setUp();
-    }
+    setUp();
     try {
       if (fitsInPasses(scene_)) {
         fit();
@@ -63,20 +59,22 @@ class Job {
       report_.failure = error.what();
     }
     progress_.reset();
-    if (!interrupted_ && report_.failure.empty()) {
+    report_.interrupted = interrupted_;
+    const bool is_done = !report_.interrupted && report_.failure.empty();
+    if (is_done) {
       doubt(scene_, given_, numbering_.garment, runInput(scene_, input_, nullptr).body_motion, report_);
       drawPictures();
-      collectWarnings();
-      writePage();
-    } else {
-      collectWarnings();
     }
-    report_.total_s = secondsSince(begin_);
-    writeReport(report_, scene_, directory_);
+    tellWarnings();
+    finishReport();
+    if (is_done) {
+      writePage();
+      finishReport();  // with the time that the page took
+    }
     if (!report_.failure.empty()) throw ComputationError(report_.failure);
-    if (!interrupted_) removeEarlierReport(directory_);
+    if (is_done) removeEarlierReport(directory_);
     fmt::print("{}", summaryText(report_));
-    if (interrupted_) return RunEnd::interrupted;
+    if (report_.interrupted) return RunEnd::interrupted;
     return report_.doubts.empty() ? RunEnd::done : RunEnd::doubtful;
   }
 
@@ -88,6 +86,8 @@ class Job {
   }
 
   void setUp() {
+    const Stopwatch setup(report_.setup_s);
+    removeOldResults(directory_, append_to_series_);
     cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
     if (resume_from_)
       cloth_->setFirst(resume_from_->first_rest);
@@ -248,15 +248,18 @@ class Job {
       if (!reason.empty()) report_.warnings.push_back("no picture: " + reason);
   }
 
-  void collectWarnings() {
+  void tellWarnings() {
     for (const std::string& warning : runWarnings(report_)) report_.warnings.push_back(warning);
-    report_.interrupted = interrupted_;
     for (size_t k = input_.warnings.size(); k < report_.warnings.size(); ++k)
       std::fputs(fmt::format("ease: warning: {}\n", report_.warnings[k]).c_str(), stderr);
   }
 
-  void writePage() {
+  void finishReport() {
     report_.total_s = secondsSince(begin_);
+    writeReport(report_, scene_, directory_);
+  }
+
+  void writePage() const {
     writeFitPage(
         {scene_, given_, report_, album_before_, album_after_, restored(first_areas_, numbering_.garment.triangles),
          restored(cloth_->restAreas(), numbering_.garment.triangles)},

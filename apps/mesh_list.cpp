@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "solver/io/mesh_io.h"
+
 namespace ease {
 
 namespace {
@@ -48,20 +50,12 @@ bool matches(std::string_view pattern, std::string_view name) {
   return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
-bool isMesh(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension == ".ply" || extension == ".obj" || extension == ".stl" || extension == ".off" ||
-         extension == ".vtp";
-}
-
 std::vector<std::string> filesIn(const fs::path& folder, const fs::path& shown, const std::string& pattern) {
   std::vector<std::string> found;
   std::error_code unreadable;
   for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, unreadable)) {
     const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file(unreadable) && name.front() != '.' && isMesh(entry.path()) && matches(pattern, name))
+    if (entry.is_regular_file(unreadable) && name.front() != '.' && isMeshFile(entry.path()) && matches(pattern, name))
       found.push_back((shown / name).string());
   }
   std::sort(found.begin(), found.end(), comesBeforeAsNumbered);

@@ -28,7 +28,7 @@ std::string depthLine(const char* when, const Penetration& p) {
 std::string totalText(const Report& report, double run_s) {
   const double rest_s = report.total_s - run_s;
   if (rest_s < 0.0) return fmt::format("{:.1f} s in this command, the rest in those before it", report.total_s);
-  return fmt::format("{:.1f} s in all: {:.1f} s more to read the scene, for {}pictures and report", report.total_s,
+  return fmt::format("{:.1f} s in all: {:.1f} s more for reading the scene, {}pictures and report", report.total_s,
                      rest_s, report.verified ? (report.fit.passes.empty() ? "replays, " : "check, ") : "");
 }
 

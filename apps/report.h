@@ -27,11 +27,11 @@ struct Report {
   PassRecord before, after;  // replays with the first and with the adapted rest shape
   FitState fit;              // its passes; none where the rest shape is not fitted in passes
   FitResult fit_result;
-  std::optional<double> time_to_fit_s;  // from the start to the verified rest shape
+  std::optional<double> time_to_fit_s;  // from the start of the command to the verified rest shape
   int folded_edges = 0;                 // in the adapted rest shape (stitch.h)
   RestGrowth growth;
   double setup_s = 0.0;
-  double total_s = 0.0;  // of the whole command, reading included
+  double total_s = 0.0;  // from the start of the command until the report is written
   bool interrupted = false;
   std::string failure;  // where and why the computation failed; empty if it did not
   std::vector<std::string> warnings;

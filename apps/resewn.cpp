@@ -11,6 +11,7 @@
 #include "adaption/growth_demand.h"
 #include "apps/painted_rest.h"
 #include "apps/progress.h"
+#include "apps/run_pictures.h"
 #include "apps/scene_run.h"
 #include "apps/words.h"
 #include "solver/base/error.h"
@@ -192,7 +193,7 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
   };
   const Replayed as_designed = replay.simulate(numbered(designed.edges), nullptr, "designed garment");
   result.has_limit = scene.adaption.has_value();
-  GrowthDemand demand(kLetOut * (scene.adaption ? scene.adaption->limit : 0.1));
+  GrowthDemand demand(kLetOut * shownLimit(scene));
   Replayed as_sewn =
       replay.simulate(numbered(sewnEdges(pattern)), result.has_limit ? &demand : nullptr, "sewn garment");
   compare(scene, input, pattern, as_designed, as_sewn, result);

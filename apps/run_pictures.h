@@ -10,7 +10,7 @@
 
 namespace ease {
 
-/// The stretch that pictures mark: the scene's limit, or 0.1 without one.
+/// The stretch that pictures mark, and beyond which the editor lets cloth out: the scene's limit, or 0.1 without one.
 double shownLimit(const Scene& scene);
 
 /// A garment to be drawn in a picture.

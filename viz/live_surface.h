@@ -1,5 +1,5 @@
 // A mesh in a picture, with smooth shading; its points, normals and colours may change from picture to picture.  The
-// actor draws what was set last and may outlive the rest.
+// actor draws what was set last and may outlive its LiveSurface.
 #pragma once
 
 #include <vtkActor.h>

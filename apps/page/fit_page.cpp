@@ -238,8 +238,8 @@ class Writer {
         "cloth; wearers call up to 2 kPa comfortable, and 5.9 to 9.8 kPa is where it hurts (Denton 1972, <cite>Fit, "
         "Stretch, and Comfort</cite>). Ease is the distance from the body; the table has its mean over the part's "
         "triangles. Tightest places leave crumpled triangles out.</p>\n");
-    add("<h2>Made with</h2>\n<p>Ease {}, method {}, time step {:.4g} s, {} vertices, {:.1f} s in "
-        "all.</p>\n<details><summary>"
+    add("<h2>Made with</h2>\n<p>Ease {}, method {}, time step {:.4g} s, {} vertices, {:.1f} s until "
+        "this page.</p>\n<details><summary>"
         "scene</summary><pre>{}</pre></details>\n",
         EASE_VERSION, nameOf(page_.scene.solver.method), page_.report.time_step_s, page_.report.vertices,
         page_.report.total_s, escaped(text.str()));

@@ -35,7 +35,7 @@ PagePictures::PagePictures(const SceneInput& input)
   if (!input.poses.empty()) view_.setBody({input.poses.front().rowwise() - origin_.transpose(), input.body_triangles});
 }
 
-// All rows from one side after another: the view draws a body that stands still only twice.
+// Side by side rather than row by row: while camera and body stay as they are, the view reuses its image of the body.
 std::vector<SidePictures> PagePictures::drawSides(const std::vector<PictureRow>& rows) {
   Eigen::AlignedBox3d extent;
   for (const PictureRow& row : rows) extend(extent, row.moment->garment);

@@ -1,5 +1,8 @@
 #include "apps/studio/document.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "solver/base/error.h"
 #include "solver/base/whole_file.h"
 
@@ -33,6 +36,50 @@ limit = 0.08
 every = 4
 )";
 
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file)).parent_path();
+}
+
+/// Name of a file in a scene that lies in `folder`: relative to it where it lies below it.
+std::string nameFrom(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  const std::filesystem::path full = std::filesystem::weakly_canonical(std::filesystem::absolute(file)),
+                              below = full.lexically_relative(folder);
+  const bool is_below = !below.empty() && *below.begin() != "..";
+  return tomlText(is_below ? below.string() : full.string());
+}
+
+void setFiles(SceneText& text, const std::string& table, const std::string& key, const std::string& value) {
+  if (text.count(table) == 0)
+    throw InputError(fmt::format(
+        "the scene writes {0} as an inline table {{ ... }}; write it as a table [{0}] to change its files here",
+        table));
+  text.setValue(table, 0, key, value);
+}
+
+std::string listOf(const std::vector<std::string>& names) {
+  return fmt::format("[\n  {},\n]", fmt::join(names, ",\n  "));
+}
+
+/// The text of a scene as it must be in another file, for its meshes to be the same files.
+std::string movedText(const std::string& text, const std::filesystem::path& from, const std::filesystem::path& to) {
+  const std::filesystem::path before = folderOf(from), after = folderOf(to);
+  if (before == after) return text;
+  const Scene scene = readDraft(text, from);
+  SceneText moved(text);
+  if (scene.body && scene.body->builtin.empty()) {
+    std::vector<std::string> names;
+    for (const std::string& pose : scene.body->poses) names.push_back(nameFrom(after, before / pose));
+    setFiles(moved, "body", "poses", listOf(names));
+  }
+  if (!scene.garment.mesh.empty()) setFiles(moved, "garment", "mesh", nameFrom(after, before / scene.garment.mesh));
+  return moved.text();
+}
+
+/// What a scene says about the body.
+std::string bodyOf(const std::string& text) {
+  return SceneText(text).sectionsBelow("body");
+}
+
 }  // namespace
 
 Document::Document(std::string text, std::filesystem::path file) : file_(std::move(file)), saved_text_(text) {
@@ -57,13 +104,56 @@ Document Document::builtin(const std::filesystem::path& file) {
   return document;
 }
 
+Document Document::onScans(const std::vector<std::filesystem::path>& scans, const std::filesystem::path& file) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& scan : scans) names.push_back(nameFrom(folderOf(file), scan));
+  SceneText text(kBuiltinScene);
+  text.removeValue("body", 0, "builtin");
+  text.setValue("body", 0, "poses", listOf(names));
+  return {text.text(), file};
+}
+
+void Document::checkTakesPoses() const {
+  const std::optional<BodyScene>& body = scene_.body;
+  if (!body || !body->builtin.empty())
+    throw InputError("the built-in body has poses of its own; File, New on scans begins a scene on yours");
+  const std::string written = SceneText(text()).value("body", 0, "poses");
+  for (const std::string& pose : body->poses)
+    if (!written.empty() && written.find(tomlText(pose)) == std::string::npos)
+      throw InputError("the scene names its poses by a folder or pattern: put the scan there and open the scene again");
+}
+
+Document Document::withPoses(const std::vector<std::filesystem::path>& scans) const {
+  checkTakesPoses();
+  std::vector<std::string> names;
+  for (const std::string& pose : scene_.body->poses) names.push_back(tomlText(pose));
+  for (const std::filesystem::path& scan : scans) names.push_back(nameFrom(folderOf(file_), scan));
+  SceneText text(this->text());
+  setFiles(text, "body", "poses", listOf(names));
+  Document next(text.text(), file_);
+  next.saved_text_ = saved_text_;
+  return next;
+}
+
+std::filesystem::path Document::freeFile(const std::filesystem::path& folder) {
+  std::filesystem::path file = folder / "studio.toml";
+  for (int k = 2; std::filesystem::exists(file) || std::filesystem::exists(unsavedFile(file)); ++k)
+    file = folder / fmt::format("studio {}.toml", k);
+  return file;
+}
+
 void Document::recover() {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(unsavedFile(file_), ignored)) return;
   const std::string unsaved = contentOf(unsavedFile(file_));
   if (unsaved.empty() || unsaved == text()) return;
   try {
-    apply(unsaved, "unsaved work");
+    if (bodyOf(unsaved) == bodyOf(text())) {
+      apply(unsaved, "unsaved work");
+    } else {  // the window shows one body: that it was another cannot be undone there
+      scene_ = readDraft(unsaved, file_);
+      history_.front().text = unsaved;
+    }
     was_recovered_ = true;
   } catch (const InputError&) {  // not from this program; the file itself counts
   }
@@ -75,12 +165,14 @@ std::filesystem::path Document::unsavedFile(const std::filesystem::path& file) {
 
 void Document::readAgain() {
   scene_ = readDraft(text(), file_);
+  if (isSaved()) discardUnsaved();
+  keepUnsaved();
+}
+
+void Document::keepUnsaved() const {
   try {
-    if (isSaved())
-      discardUnsaved();
-    else
-      writeWholeFile(unsavedFile(file_), text());
-  } catch (const std::exception&) {  // a folder that cannot be written to: saving will say so
+    if (!isSaved()) writeWholeFile(unsavedFile(file_), text());
+  } catch (const std::exception&) {  // saving will say so
   }
 }
 
@@ -123,9 +215,12 @@ void Document::save() {
 }
 
 void Document::saveAs(const std::filesystem::path& file) {
-  const std::filesystem::path before = file_;
-  writeWholeFile(file, text());
+  std::vector<Version> moved = history_;
+  for (Version& version : moved) version.text = movedText(version.text, file_, file);
+  readDraft(moved[now_].text, file);
+  writeWholeFile(file, moved[now_].text);
   discardUnsaved();
+  history_ = std::move(moved);
   file_ = file;
   saved_text_ = text();
   scene_ = readDraft(text(), file_);

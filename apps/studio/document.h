@@ -22,6 +22,10 @@ class Document {
   static Document open(const std::filesystem::path& file);
   /// A new scene on the built-in body without a garment, and unsaved work of it, as open() does.
   static Document builtin(const std::filesystem::path& file);
+  /// A new scene on scans of one person, the poses in this order.
+  static Document onScans(const std::vector<std::filesystem::path>& scans, const std::filesystem::path& file);
+  /// A file in this folder for a new scene.
+  static std::filesystem::path freeFile(const std::filesystem::path& folder);
 
   const std::string& text() const { return history_[now_].text; }
   const Scene& scene() const { return scene_; }
@@ -41,7 +45,15 @@ class Document {
 
   /// Writes the file whole.  Throws ComputationError if that fails.
   void save();
+  /// Writes another file; names of meshes, which are relative to the scene, are changed to hold from there.
   void saveAs(const std::filesystem::path& file);
+  /// Throws InputError where no poses can be added: on the built-in body, or where a pattern names them.
+  void checkTakesPoses() const;
+  /// This scene with further scans as poses after its last one, not saved yet.  Earlier gestures cannot be undone
+  /// there.
+  Document withPoses(const std::vector<std::filesystem::path>& scans) const;
+  /// Writes unsaved work beside the file, if there is any; a folder that cannot be written to is no error.
+  void keepUnsaved() const;
   /// Forgets the unsaved work beside the file.
   void discardUnsaved() const;
 

@@ -42,6 +42,10 @@ class MainWindow : public QMainWindow {
   bool open(const QString& file, bool asks = true);
   /// Begins a new scene on the built-in body, in a file whose name is free.
   bool openNew();
+  /// Begins a new scene on scans of one person, the poses in the order of their names.
+  bool openOnScans(const QStringList& scans, bool asks = true);
+  /// Adds scans as poses after the last one; what is not saved is kept.
+  bool addPoses(const QStringList& scans);
   /// Asks whether unsaved work that a crash left is kept, if there is any.
   void offerUnsavedWork();
   /// Does what `ease run` does with the saved scene.
@@ -78,6 +82,10 @@ class MainWindow : public QMainWindow {
   void pickPart();
   RunDialog* runCommands(const QStringList& commands);
   std::filesystem::path resultsDirectory() const;
+  std::filesystem::path freeFile() const;
+  /// Says why where no poses can be added.
+  bool mayAddPoses();
+  QStringList askForScans(const QString& title);
   void saveAs();
   void exportPicture();
   bool mayDropWork();

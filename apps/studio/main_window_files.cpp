@@ -1,13 +1,54 @@
 // The scene's file in the window: opening, saving, and what is asked before work would be lost.
 #include <QCloseEvent>
 #include <QFileDialog>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
 #include <algorithm>
 
+#include "apps/mesh_list.h"
 #include "apps/studio/main_window.h"
+#include "solver/base/error.h"
 
 namespace ease {
+
+namespace {
+
+/// The files in the order of their names, as people number them.
+std::vector<std::filesystem::path> ordered(const QStringList& files) {
+  std::vector<std::string> names;
+  for (const QString& file : files) names.push_back(file.toStdString());
+  std::sort(names.begin(), names.end(), comesBeforeAsNumbered);
+  return {names.begin(), names.end()};
+}
+
+}  // namespace
+
+void MainWindow::makeFileMenu() {
+  QMenu* menu = menuBar()->addMenu("&File");
+  add(menu, "&New", "Ctrl+N", "Begins a new scene on the built-in body", [this] { openNew(); });
+  add(menu, "New on s&cans ...", "Ctrl+Shift+N", "Begins a new scene on scans of one person in several poses",
+      [this] { openOnScans(askForScans("Scans of one person, poses in the order of their names")); });
+  add(menu, "A&dd poses ...", "", "Adds scans of the same person as poses; what was done so far cannot be undone then",
+      [this] {
+        if (mayAddPoses()) addPoses(askForScans("Further poses, in the order of their names"));
+      });
+  menu->addSeparator();
+  add(menu, "&Open ...", "Ctrl+O", "Opens another scene", [this] {
+    const QString file = QFileDialog::getOpenFileName(this, "Open a scene", "", "Scenes (*.toml)");
+    if (!file.isEmpty()) open(file);
+  });
+  add(menu, "&Save", "Ctrl+S", "Writes the scene file that `ease run` takes", [this] { save(); });
+  add(menu, "Save &as ...", "Ctrl+Shift+S", "Writes another scene file", [this] { saveAs(); });
+  menu->addSeparator();
+  add(menu, "Save &picture ...", "Ctrl+E", "Writes what the view shows, twice as large", [this] { exportPicture(); });
+  menu->addSeparator();
+  add(menu, "&Run ...", "Ctrl+R", "Saves, and does what `ease run` does", [this] { run(); });
+  add(menu, "Pa&ttern ...", "Ctrl+P", "Saves, does what `ease pattern` does, and shows the pieces",
+      [this] { makePattern(); });
+  menu->addSeparator();
+  add(menu, "&Quit", "Ctrl+Q", "Closes the window", [this] { close(); });
+}
 
 void MainWindow::showAsBefore() {
   restoreGeometry(QSettings("ease", "studio").value("geometry").toByteArray());
@@ -67,18 +108,21 @@ bool MainWindow::mayEndRun() {
 
 bool MainWindow::replaceBy(const std::function<Document()>& read, bool asks) {
   if (asks && !(mayDropWork() && mayEndRun())) return false;
+  if (asks) studio_->document().discardUnsaved();  // or the other document might find it
   try {
     auto* window = new MainWindow(read());
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->restoreGeometry(saveGeometry());
     window->show();
+    window->studio().document().keepUnsaved();
     if (asks) window->offerUnsavedWork();
-    studio_->document().discardUnsaved();
+    timer_.stop();
     setAttribute(Qt::WA_DeleteOnClose);
     asks_ = false;
     close();
     return true;
   } catch (const std::exception& error) {
+    studio_->document().keepUnsaved();
     studio_->refuse(error.what());
     sync();
     return false;
@@ -89,20 +133,52 @@ bool MainWindow::open(const QString& file, bool asks) {
   return replaceBy([&] { return Document::open(file.toStdString()); }, asks);
 }
 
+std::filesystem::path MainWindow::freeFile() const {
+  return Document::freeFile(studio_->document().file().parent_path());
+}
+
 bool MainWindow::openNew() {
-  const std::filesystem::path folder = studio_->document().file().parent_path();
-  std::filesystem::path file = folder / "studio.toml";
-  for (int k = 2; std::filesystem::exists(file) || std::filesystem::exists(Document::unsavedFile(file)); ++k)
-    file = folder / ("studio " + std::to_string(k) + ".toml");
-  return replaceBy([&] { return Document::builtin(file); }, true);
+  return replaceBy([&] { return Document::builtin(freeFile()); }, true);
+}
+
+bool MainWindow::openOnScans(const QStringList& scans, bool asks) {
+  return !scans.empty() && replaceBy([&] { return Document::onScans(ordered(scans), freeFile()); }, asks);
+}
+
+bool MainWindow::mayAddPoses() {
+  if (studio_->refuseWhileMaking()) return false;
+  try {
+    studio_->document().checkTakesPoses();
+    return true;
+  } catch (const InputError& error) {
+    studio_->refuse(error.what());
+    return false;
+  }
+}
+
+bool MainWindow::addPoses(const QStringList& scans) {
+  if (scans.empty() || !mayAddPoses() || !mayEndRun()) return false;
+  return replaceBy([&] { return studio_->document().withPoses(ordered(scans)); }, false);
+}
+
+QStringList MainWindow::askForScans(const QString& title) {
+  return QFileDialog::getOpenFileNames(this, title, "", "Meshes (*.ply *.obj *.stl *.off *.vtp)");
 }
 
 void MainWindow::offerUnsavedWork() {
   if (!studio_->document().wasRecovered()) return;
-  const auto answer = QMessageBox::question(this, "Unsaved work",
-                                            "Work on this scene that was not saved has been found. Keep it?\n"
-                                            "(If not, Ctrl+Shift+Z still brings it back until the window is closed.)");
-  if (answer == QMessageBox::No) studio_->undo();
+  Document& document = studio_->document();
+  QString question = "Work on this scene that was not saved has been found. Keep it?";
+  if (document.canUndo()) question += "\n(If not, Ctrl+Shift+Z still brings it back until the window is closed.)";
+  if (QMessageBox::question(this, "Unsaved work", question) == QMessageBox::No) {
+    if (document.canUndo()) {
+      studio_->undo();
+    } else {  // it is on another body
+      document.discardUnsaved();
+      const std::filesystem::path file = document.file();
+      replaceBy([&] { return std::filesystem::exists(file) ? Document::open(file) : Document::builtin(file); }, false);
+    }
+  }
   sync();
 }
 

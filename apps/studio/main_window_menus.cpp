@@ -1,6 +1,5 @@
 // Docks, menus, keys and tool bars of the window.
 #include <QComboBox>
-#include <QFileDialog>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QScrollArea>
@@ -112,25 +111,6 @@ void MainWindow::makeActions() {
   makeToolBar();
   makeSimulationMenu();
   makeSettingsMenu();
-}
-
-void MainWindow::makeFileMenu() {
-  QMenu* menu = menuBar()->addMenu("&File");
-  add(menu, "&New", "Ctrl+N", "Begins a new scene on the built-in body", [this] { openNew(); });
-  add(menu, "&Open ...", "Ctrl+O", "Opens another scene", [this] {
-    const QString file = QFileDialog::getOpenFileName(this, "Open a scene", "", "Scenes (*.toml)");
-    if (!file.isEmpty()) open(file);
-  });
-  add(menu, "&Save", "Ctrl+S", "Writes the scene file that `ease run` takes", [this] { save(); });
-  add(menu, "Save &as ...", "Ctrl+Shift+S", "Writes another scene file", [this] { saveAs(); });
-  menu->addSeparator();
-  add(menu, "Save &picture ...", "Ctrl+E", "Writes what the view shows, twice as large", [this] { exportPicture(); });
-  menu->addSeparator();
-  add(menu, "&Run ...", "Ctrl+R", "Saves, and does what `ease run` does", [this] { run(); });
-  add(menu, "Pa&ttern ...", "Ctrl+P", "Saves, does what `ease pattern` does, and shows the pieces",
-      [this] { makePattern(); });
-  menu->addSeparator();
-  add(menu, "&Quit", "Ctrl+Q", "Closes the window", [this] { close(); });
 }
 
 void MainWindow::makeEditMenu() {

@@ -58,6 +58,8 @@ class Studio {
   void redo();
   /// Whether a garment is being made.
   bool isMaking() const { return making_.valid(); }
+  /// Refuses a gesture while a garment is being made; returns whether it did.
+  bool refuseWhileMaking();
 
   /// A hint, what was done, or why something was refused.
   void say(const std::string& words);
@@ -96,8 +98,6 @@ class Studio {
   void showMade();
   void putOnStage(LiveFrame frame);
   void goOnTour();
-  /// Refuses a gesture while the garment is being made; returns whether it did.
-  bool refuseWhileMaking();
   /// Waits for the garment that is being made; returns whether it could be made.
   bool finishMaking();
 

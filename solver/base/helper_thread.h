@@ -25,9 +25,10 @@ class HelperThread {
   HelperThread(const HelperThread&) = delete;
   HelperThread& operator=(const HelperThread&) = delete;
 
-  /// Whether it works on a task that was not waited for.  Of these three, only the owner calls any.
+  // Only the owner calls these three.
+  /// Whether it works on a task that was not waited for.
   bool isBusy() const { return is_busy_; }
-  /// Begins a task, which must outlive it.
+  /// Begins a task, which must live until wait() has returned.
   void start(const std::function<void()>& task) {
     is_busy_ = true;
     {

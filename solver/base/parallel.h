@@ -25,7 +25,7 @@ namespace ease {
 template <class Range>
 void parallelBlocks(int count, int grain, const Range& range) {
   HelperThread& helper = helperThread();
-  if (helper.isBusy()) {  // a loop within a loop
+  if (helper.isBusy()) {  // a loop within the owner's half of another
     range(0, count);
     return;
   }

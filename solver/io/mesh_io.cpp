@@ -45,7 +45,7 @@ std::string lowerCaseExtension(const fs::path& file) {
 RawMesh readRaw(const fs::path& file) {
   const std::string name = file.string();
   const std::string extension = lowerCaseExtension(file);
-  if (extension != ".ply" && extension != ".obj" && extension != ".stl" && extension != ".off" && extension != ".vtp") {
+  if (!isMeshFile(file)) {
     throw InputError(fmt::format("{}: a mesh's name ends in .ply, .obj, .stl, .off or .vtp", name));
   }
   const std::string bytes = asUtf8(readBytes(file));
@@ -85,6 +85,12 @@ Polygons checkedPolygons(const RawMesh& raw, const std::string& name) {
 
 Polygons readPolygons(const fs::path& file) {
   return checkedPolygons(readRaw(file), file.string());
+}
+
+bool isMeshFile(const fs::path& file) {
+  const std::string extension = lowerCaseExtension(file);
+  return extension == ".ply" || extension == ".obj" || extension == ".stl" || extension == ".off" ||
+         extension == ".vtp";
 }
 
 bool sharesNoVertices(const fs::path& file) {

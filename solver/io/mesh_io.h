@@ -18,6 +18,9 @@ namespace ease {
 /// kMaxCoordinate (mesh_checks.h).
 Polygons readPolygons(const std::filesystem::path& file);
 
+/// Whether the file's name ends as that of a mesh which can be read.
+bool isMeshFile(const std::filesystem::path& file);
+
 /// Whether the file's format (STL) gives every triangle vertices of its own.
 bool sharesNoVertices(const std::filesystem::path& file);
 

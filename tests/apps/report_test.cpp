@@ -29,7 +29,7 @@ Report verifiedReport() {
 TEST_CASE("the summary tells the time of the run from that of the rest") {
   const std::string text = summaryText(verifiedReport());
   CHECK_THAT(text, Contains("360 steps of 2.5 ms in 6.0 s: 60.0 steps/s with setup and output, 90.0 the time steps"));
-  CHECK_THAT(text, Contains("31.0 s in all: 25.0 s more to read the scene, for replays, pictures and report"));
+  CHECK_THAT(text, Contains("31.0 s in all: 25.0 s more for reading the scene, replays, pictures and report"));
 }
 
 TEST_CASE("the summary tells how deep the adapted garment goes into the body, and how deep it went before") {

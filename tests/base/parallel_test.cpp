@@ -2,8 +2,11 @@
 
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <stdexcept>
+#include <vector>
 
 #include "solver/linear/incidence.h"
 
@@ -22,6 +25,18 @@ TEST_CASE("a parallel sum is the same to the last bit with any number of threads
   for (int i = 0; i < 100000; ++i) plain += term(i);
   CHECK(sums[0] == Approx(plain).epsilon(1e-12));
   CHECK(parallelSum(0, term) == 0.0);
+}
+
+TEST_CASE("loops within loops do all their work, and what one throws reaches the caller") {
+  std::vector<int> done(4000, 0);
+  parallelFor(40, 1, [&](int i) { parallelFor(100, 8, [&](int j) { ++done[100 * i + j]; }); });
+  CHECK(std::count(done.begin(), done.end(), 1) == 4000);
+  for (int failing : {0, 1, 39})
+    CHECK_THROWS_AS(parallelFor(40, 1,
+                                [&](int i) {
+                                  if (i == failing) throw std::runtime_error("no");
+                                }),
+                    std::runtime_error);
 }
 
 TEST_CASE("incidence lists every corner of every vertex once, in ascending order") {

@@ -18,6 +18,8 @@ TEST_CASE("a file's extension tells its format, in capitals too") {
   CHECK_THAT(messageOf(folder.write("a.Ply", square)), Contains("not a PLY file"));
   CHECK_THAT(messageOf(folder.write("a.stl", square)), Contains("not an STL file"));
   CHECK_THAT(messageOf(folder.write("a.VTP", square)), Contains("not a VTP file"));
+  CHECK(isMeshFile("a.Off"));
+  CHECK_FALSE(isMeshFile("a.toml"));
 }
 
 TEST_CASE("a mesh written as OBJ is read back to the last bit") {

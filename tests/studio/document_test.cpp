@@ -31,6 +31,78 @@ TEST_CASE("a draft may lack a garment, and have boundaries without a region") {
   CHECK_FALSE(document.scene().garment.is_draft);
 }
 
+TEST_CASE("a new scene on scans names those below its folder by their way from there") {
+  const TemporaryDirectory directory, elsewhere;
+  const std::filesystem::path scans = directory.path / "scans", t = scans / "t.ply",
+                              up = elsewhere.path / "up \"2\".ply";
+  const Document document = Document::onScans({t, up}, directory.path / "new.toml");
+  const std::optional<BodyScene>& body = document.scene().body;
+  REQUIRE(body);
+  CHECK(body->builtin.empty());
+  CHECK(body->poses == std::vector<std::string>{"scans/t.ply", std::filesystem::weakly_canonical(up).string()});
+  CHECK(document.scene().garment.is_draft);
+}
+
+TEST_CASE("poses are added after the last one, and what was drawn stays, unsaved") {
+  const TemporaryDirectory directory;
+  Document document = Document::onScans({directory.path / "t.ply"}, directory.path / "new.toml");
+  document.save();
+  document.apply(withLoop(document, "waist"), "boundary");
+  const Document more = document.withPoses({directory.path / "a.ply", directory.path / "up.ply"});
+  CHECK(more.scene().body->poses == std::vector<std::string>{"t.ply", "a.ply", "up.ply"});
+  CHECK(more.text().find("waist") != std::string::npos);
+  CHECK_FALSE(more.isSaved());
+  CHECK_FALSE(more.canUndo());
+  CHECK(contentOf(Document::unsavedFile(more.file())) == document.text());  // the new poses may be refused yet
+  more.keepUnsaved();
+  CHECK(contentOf(Document::unsavedFile(more.file())) == more.text());
+  CHECK_THROWS_AS(Document::builtin(directory.path / "own.toml").withPoses({directory.path / "a.ply"}), InputError);
+}
+
+TEST_CASE("no poses are added where a pattern names them, or the body is written in one line") {
+  const TemporaryDirectory directory;
+  directory.write("scan_1.ply", "");
+  directory.write("scan_2.ply", "");
+  const std::string by_pattern = "[body]\nposes = \"*.ply\"\n", in_line = "body = { poses = [\"scan_1.ply\"] }\n";
+  for (const std::string& text : {by_pattern, in_line})
+    CHECK_THROWS_AS(Document(text, directory.path / "s.toml").withPoses({directory.path / "scan_3.ply"}), InputError);
+}
+
+TEST_CASE("a scene saved in another folder, and what can be undone there, has the same scans") {
+  const TemporaryDirectory directory, elsewhere;
+  Document document = Document::onScans({directory.path / "t.ply"}, directory.path / "new.toml");
+  document.apply(withLoop(document, "waist"), "boundary");
+  document.saveAs(elsewhere.path / "moved.toml");
+  const std::string scan = std::filesystem::weakly_canonical(directory.path / "t.ply").string();
+  CHECK(document.scene().body->poses == std::vector<std::string>{scan});
+  CHECK(contentOf(elsewhere.path / "moved.toml") == document.text());
+  CHECK(document.isSaved());
+  document.undo();
+  CHECK(document.scene().body->poses == std::vector<std::string>{scan});
+}
+
+TEST_CASE("unsaved work on another body is not undone to a body that the window does not show") {
+  const TemporaryDirectory directory;
+  const std::filesystem::path file = directory.path / "new.toml";
+  {
+    Document document = Document::onScans({directory.path / "t.ply"}, file);
+    document.apply(withLoop(document, "waist"), "boundary");
+  }  // as a crash would: it was never saved
+  Document again = Document::open(file);
+  CHECK(again.wasRecovered());
+  CHECK(again.scene().body->poses == std::vector<std::string>{"t.ply"});
+  CHECK_FALSE(again.canUndo());
+  CHECK_FALSE(again.isSaved());
+}
+
+TEST_CASE("a new scene gets a file name that is free") {
+  const TemporaryDirectory directory;
+  CHECK(Document::freeFile(directory.path) == directory.path / "studio.toml");
+  directory.write("studio.toml", "");
+  directory.write("studio 2.toml~", "");  // unsaved work of a scene that was never saved
+  CHECK(Document::freeFile(directory.path) == directory.path / "studio 3.toml");
+}
+
 TEST_CASE("a gesture that makes no scene is refused and changes nothing") {
   const TemporaryDirectory directory;
   Document document = Document::builtin(directory.path / "new.toml");

@@ -1,8 +1,12 @@
 // What the window's scene file makes, and runs that are started from the window (main_window_results.cpp).
+#include <QApplication>
+#include <QPointer>
 #include <QProcess>
 #include <QtTest>
 
 #include "apps/studio/keep_on_screen.h"
+#include "apps/studio/parts.h"
+#include "solver/base/whole_file.h"
 #include "solver/io/mesh_io.h"
 #include "tests/studio/main_window_test.h"
 
@@ -36,6 +40,61 @@ void WindowTest::aRunCanBeCancelled() {
   keepOnScreen(*dialog);
   QVERIFY(dialog->screen()->availableGeometry().contains(dialog->frameGeometry()));
   dialog->close();
+}
+
+void WindowTest::aSceneIsBegunOnScansAndGetsPoses() {
+  const SceneInput body = readBodyInput(Document::builtin("mannequin.toml").scene());
+  QStringList scans;
+  for (size_t p = 0; p < body.poses.size(); ++p) {
+    scans.append(directory_.path() + QString("/pose%1.obj").arg(p));
+    writeObj(scans.back().toStdString(), {body.poses[p], body.body_triangles});
+  }
+  QPointer<MainWindow> first = new MainWindow(Document::builtin((directory_.path() + "/scans.toml").toStdString()));
+  QVERIFY(!first->addPoses(scans));  // the built-in body has poses of its own
+  QVERIFY(first->studio().isRefusal());
+  QVERIFY(!first->openOnScans({directory_.path() + "/none.ply"}, false));
+  QVERIFY(QString::fromStdString(first->studio().words()).contains("none.ply"));
+
+  QPointer<MainWindow> second, third;
+  const auto newest = [&] {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+      auto* window = qobject_cast<MainWindow*>(widget);
+      if (window && window != first && window != window_.get() && window != second.data()) return window;
+    }
+    return static_cast<MainWindow*>(nullptr);
+  };
+  QVERIFY(first->openOnScans({scans[1], scans[0]}, false));
+  QTRY_VERIFY(first.isNull());
+  second = newest();
+  QVERIFY(second);
+  second->studio().finishWork();
+  QCOMPARE(second->studio().bodyInput().poses.size(), size_t{2});
+  QVERIFY(second->studio().scene().body->poses.front() == "pose0.obj");
+
+  Studio& studio = second->studio();
+  const std::filesystem::path file = studio.document().file();
+  const std::vector<Vec3> waist = {{0.15, 1.05, 0}, {0, 1.05, 0.12}, {-0.15, 1.05, 0}, {0, 1.05, -0.12}};
+  QVERIFY2(studio.gesture(withBoundary(studio.text(), "waist", waist), "boundary"), studio.words().c_str());
+  QVERIFY(!second->addPoses({scans[2]}));  // the boundary is still being made
+  studio.finishWork();
+  QVERIFY2(studio.text().find("waist") != std::string::npos, studio.words().c_str());
+  const QString other = directory_.path() + "/triangle.obj";
+  writeObj(other.toStdString(), {Positions::Identity(3, 3), Triangles{{0, 1, 2}}});
+  const std::string unsaved = contentOf(Document::unsavedFile(file));
+  QVERIFY(!second->addPoses({other}));
+  QVERIFY2(studio.isRefusal() && studio.words().find("triangle.obj") != std::string::npos, studio.words().c_str());
+  QVERIFY(contentOf(Document::unsavedFile(file)) == unsaved);
+  QVERIFY(second->addPoses({scans[2]}));
+  third = newest();
+  QVERIFY(third);
+  third->studio().finishWork();
+  QCOMPARE(third->studio().bodyInput().poses.size(), size_t{3});
+  QVERIFY(third->studio().document().file() == file);
+  QTRY_VERIFY(second.isNull());
+  QVERIFY(third->studio().text().find("waist") != std::string::npos);
+  QVERIFY(contentOf(Document::unsavedFile(file)) == third->studio().text());
+  QVERIFY(third->save());
+  third->close();
 }
 
 void WindowTest::theNextWindowIsAsLargeAsTheLast() {

@@ -12,6 +12,9 @@ using Catch::Matchers::StartsWith;
 TEST_CASE("a moment is drawn from four sides, coloured by a value of triangles or of vertices") {
   SceneInput input;
   input.garment = makeSheet(3, 3, 0.3, 0.3);
+  const TriangleMesh body = makeSheet(3, 3, 0.6, 0.6);  // wider: drawn once and kept behind the garment
+  input.body_triangles = body.triangles;
+  input.poses = {body.positions};
   std::unique_ptr<PagePictures> pictures;
   try {
     pictures = std::make_unique<PagePictures>(input);
@@ -21,6 +24,7 @@ TEST_CASE("a moment is drawn from four sides, coloured by a value of triangles o
   }
   ShownMoment moment;
   moment.garment = input.garment.positions;
+  moment.body = body.positions.rowwise() - Eigen::RowVector3d(0.1, 0.1, 0.1);
   moment.sigma_1.assign(input.garment.triangles.rows(), 1.0F);
   const ShownValue value{"", "", 1.0, ColorScale(1.0, 1.2, 1.1), {}};
   const std::vector<float> over(input.garment.positions.rows(), 1.15F);
