@@ -52,6 +52,9 @@ TEST_CASE("a clamped strip droops along the master curve") {
                Droop{Method::pd_lbfgs, 100.0, 5.8881, 32, 1e3}, Droop{Method::pd_lbfgs, 300.0, 11.183, 64, 1e3},
                Droop{Method::pd_lbfgs, 1000.0, 21.335, 96, 1e3}, Droop{Method::newton, 10.0, 1.0668, 24, 1e3},
                Droop{Method::newton, 100.0, 5.8881, 32, 1e3}, Droop{Method::newton, 300.0, 11.183, 48, 1e3});
+#ifdef __SANITIZE_THREAD__
+  if (droop.rows > 24) return;  // the same loops as the others', for a quarter of an hour
+#endif
   const double narrow = dropOverReach(4, droop.rows, droop.gamma, droop.membrane, droop.method);
   const double wide = dropOverReach(8, droop.rows, droop.gamma, droop.membrane, droop.method);
   INFO("gamma " << droop.gamma << ", 4 and 8 triangles across: " << narrow << ", " << wide);
