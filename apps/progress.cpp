@@ -29,7 +29,7 @@ void Progress::advance(const std::string& what) {
   last_ = now;
   const double left = since_start.count() / static_cast<double>(done_) * static_cast<double>(total_ - done_);
   const std::string text =
-      fmt::format("{:3.0f} %  {}  at most {} left", 100.0 * static_cast<double>(done_) / static_cast<double>(total_),
+      fmt::format("{:3.0f} %, {}, at most {} left", 100.0 * static_cast<double>(done_) / static_cast<double>(total_),
                   what, durationText(left));
   std::fputs((terminal_ ? "\r\033[K" + text : text + "\n").c_str(), stderr);
   std::fflush(stderr);

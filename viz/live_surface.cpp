@@ -43,11 +43,14 @@ void LiveSurface::move(const Positions& x) {
   if (shown_.rows() == x.rows() && shown_ == x) return;  // a body that stands still costs nothing
   shown_ = x;
   ++changes;
-  auto* points = vtkFloatArray::SafeDownCast(data_->GetPoints()->GetData());
-  float* out = points->GetPointer(0);
-  for (Eigen::Index i = 0; i < x.size(); ++i) out[i] = static_cast<float>(x.data()[i]);
+  vtkPoints* points = data_->GetPoints();  // in double precision where they are far from the origin
+  if (auto* single = vtkFloatArray::SafeDownCast(points->GetData())) {
+    std::copy_n(x.data(), x.size(), single->GetPointer(0));
+  } else {
+    for (Eigen::Index v = 0; v < x.rows(); ++v) points->SetPoint(v, x.row(v).data());
+  }
+  points->GetData()->Modified();
   points->Modified();
-  data_->GetPoints()->Modified();
   turnNormals(x);
   data_->Modified();
 }

@@ -75,6 +75,11 @@ std::string movedText(const std::string& text, const std::filesystem::path& from
   return moved.text();
 }
 
+/// Name of the k-th new scene in a folder.
+std::filesystem::path newFile(const std::filesystem::path& folder, int k) {
+  return folder / (k == 1 ? "studio.toml" : fmt::format("studio {}.toml", k));
+}
+
 /// What a scene says about the body.
 std::string bodyOf(const std::string& text) {
   return SceneText(text).sectionsBelow("body");
@@ -135,11 +140,28 @@ Document Document::withPoses(const std::vector<std::filesystem::path>& scans) co
   return next;
 }
 
+Document Document::withoutUnsaved() const {
+  if (std::filesystem::exists(file_)) return open(file_);
+  if (!scene_.body || !scene_.body->builtin.empty()) return builtin(file_);
+  std::vector<std::filesystem::path> scans;
+  for (const std::string& pose : scene_.body->poses) scans.push_back(folderOf(file_) / pose);
+  return onScans(scans, file_);
+}
+
+Document Document::newOnScans(const std::vector<std::filesystem::path>& scans, const std::filesystem::path& folder) {
+  const std::filesystem::path free = freeFile(folder);
+  for (int k = 1; newFile(folder, k) != free; ++k) {
+    const std::filesystem::path file = newFile(folder, k);
+    if (std::filesystem::exists(file)) continue;
+    if (bodyOf(contentOf(unsavedFile(file))) == bodyOf(onScans(scans, file).text())) return open(file);
+  }
+  return onScans(scans, free);
+}
+
 std::filesystem::path Document::freeFile(const std::filesystem::path& folder) {
-  std::filesystem::path file = folder / "studio.toml";
-  for (int k = 2; std::filesystem::exists(file) || std::filesystem::exists(unsavedFile(file)); ++k)
-    file = folder / fmt::format("studio {}.toml", k);
-  return file;
+  int k = 1;
+  while (std::filesystem::exists(newFile(folder, k)) || std::filesystem::exists(unsavedFile(newFile(folder, k)))) ++k;
+  return newFile(folder, k);
 }
 
 void Document::recover() {

@@ -24,6 +24,8 @@ class Document {
   static Document builtin(const std::filesystem::path& file);
   /// A new scene on scans of one person, the poses in this order.
   static Document onScans(const std::vector<std::filesystem::path>& scans, const std::filesystem::path& file);
+  /// The same in a free file of this folder; or the unsaved work on these scans that a crash left there.
+  static Document newOnScans(const std::vector<std::filesystem::path>& scans, const std::filesystem::path& folder);
   /// A file in this folder for a new scene.
   static std::filesystem::path freeFile(const std::filesystem::path& folder);
 
@@ -52,6 +54,8 @@ class Document {
   /// This scene with further scans as poses after its last one, not saved yet.  Earlier gestures cannot be undone
   /// there.
   Document withPoses(const std::vector<std::filesystem::path>& scans) const;
+  /// What was saved last; of a scene that was never saved, a new one on the same scans.
+  Document withoutUnsaved() const;
   /// Writes unsaved work beside the file, if there is any; a folder that cannot be written to is no error.
   void keepUnsaved() const;
   /// Forgets the unsaved work beside the file.

@@ -206,7 +206,7 @@ std::string LiveRun::changeInPlace(const MadeGarment& before) {
   }
   setPins(anchors);
   measureStretch(*cloth_, state_.positions, stretch_);
-  return "change taken in; the simulation goes on";
+  return "change taken in";
 }
 
 std::string LiveRun::changeMesh(const MadeGarment& before) {
@@ -231,7 +231,7 @@ std::string LiveRun::changeMesh(const MadeGarment& before) {
   if (body_) meetBody();
   setPins({});
   measureStretch(*cloth_, state_.positions, stretch_);
-  return fmt::format("change taken in: {:.0f} % of the new garment goes on from where the old one was",
+  return fmt::format("change taken in: where the old garment was, {:.0f} % of the new one, it keeps place and motion",
                      100.0 * static_cast<double>(carried.tied) / static_cast<double>(mesh.positions.rows()));
 }
 
@@ -244,8 +244,14 @@ LiveFrame LiveRun::frame(bool all) {
   measureStretch(*cloth_, state_.positions, stretch_);
   frame.stretch = stretch_;
   frame.statistics = momentStatistics(stretch_, limit());
-  for (int t = 0; t < cloth_->triangleCount(); ++t)
-    frame.growth.push_back(cloth_->restAreas()[t] / (0.5 * cloth_->first().edges[t].determinant()));
+  double first = 0.0, now = 0.0;
+  for (int t = 0; t < cloth_->triangleCount(); ++t) {
+    const double area = 0.5 * cloth_->first().edges[t].determinant();
+    frame.growth.push_back(cloth_->restAreas()[t] / area);
+    first += area;
+    now += cloth_->restAreas()[t];
+  }
+  frame.cloth_added = now / first - 1.0;
   if (all && contacts_) {
     contacts_->measure(contacts_->bodyAt(StepsDone{moving_, moving_, 0}), state_.positions);
     for (int v = 0; v < cloth_->vertexCount(); ++v)

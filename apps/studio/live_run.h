@@ -22,12 +22,13 @@ struct LiveFrame {
   std::vector<double> gap;        // of every vertex: distance to the body less the comfort offset, m; empty: no body
   std::vector<double> pressure;   // of the body at every vertex, Pa; empty: no body
   StretchStatistics statistics;
-  double deepest = 0.0;  // of the cloth in the body so far, m
-  long steps = 0;        // since the start
-  double time_s = 0.0;   // since the start
-  int pose = 0;          // where the body is or goes to
-  double way = 1.0;      // share of the way to that pose
-  int adaptions = 0;     // how often the rest shape was let out
+  double deepest = 0.0;      // of the cloth in the body so far, m
+  long steps = 0;            // since the start
+  double time_s = 0.0;       // since the start
+  int pose = 0;              // where the body is or goes to
+  double way = 1.0;          // share of the way to that pose
+  int adaptions = 0;         // how often the rest shape was let out
+  double cloth_added = 0.0;  // area of the rest shape over that of the first, less one
 };
 
 class LiveRun {

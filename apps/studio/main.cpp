@@ -25,7 +25,7 @@ ease::Document documentOf(const QStringList& arguments) {
   for (const std::filesystem::path& file : files)
     if (!ease::isMeshFile(file))
       throw ease::InputError(file.string() + ": expected one scene, or meshes of one person (PLY, OBJ, STL, OFF, VTP)");
-  return ease::Document::onScans(files, ease::Document::freeFile("."));
+  return ease::Document::newOnScans(files, ".");
 }
 
 }  // namespace

@@ -99,6 +99,7 @@ void MainWindow::tick() {
   frames_per_s_ = static_cast<double>(drawn - drawn_before_) / seconds;
   steps_before_ = made;
   drawn_before_ = drawn;
+  view_->tellPointedAt();
   report_->setText(studio_->frame()      ? reportText(*studio_->frame(), steps_per_s_, frames_per_s_)
                    : studio_->isMaking() ? "The garment is being made ..."
                                          : "No garment yet.");
@@ -128,7 +129,9 @@ void MainWindow::sync() {
 
 void MainWindow::showStatus() {
   const QString text = QString::fromStdString(studio_->words());
-  way_->setValue(studio_->frame() ? static_cast<int>(100.0 * studio_->frame()->way) : 100);
+  const double way = studio_->frame() ? studio_->frame()->way : 1.0;
+  way_->setVisible(way < 1.0);
+  way_->setValue(static_cast<int>(100.0 * way));
   if (text == status_text_ && status_->property("refusal").toBool() == studio_->isRefusal()) return;
   status_text_ = text;
   status_->setProperty("refusal", studio_->isRefusal());

@@ -82,16 +82,18 @@ class MainWindow : public QMainWindow {
   void pickPart();
   RunDialog* runCommands(const QStringList& commands);
   std::filesystem::path resultsDirectory() const;
-  std::filesystem::path freeFile() const;
+  std::filesystem::path folder() const;
   /// Says why where no poses can be added.
   bool mayAddPoses();
   QStringList askForScans(const QString& title);
+  QString askForFile(const QString& title, const QString& file, const QString& filter, const QString& suffix);
   void saveAs();
   void exportPicture();
   bool mayDropWork();
   bool mayEndRun();
-  /// Shows another document in a new window and closes this one; says why if it cannot be read.
-  bool replaceBy(const std::function<Document()>& read, bool asks);
+  /// Shows another document in a new window, which says these words, and closes this one; says why if it cannot be
+  /// read.
+  bool replaceBy(const std::function<Document()>& read, bool asks, const std::string& words = "");
   void changeRadius(double factor);
   void tick();
 

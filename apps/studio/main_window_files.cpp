@@ -1,6 +1,7 @@
 // The scene's file in the window: opening, saving, and what is asked before work would be lost.
 #include <QCloseEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
@@ -67,9 +68,19 @@ bool MainWindow::save() {
   return studio_->document().isSaved();
 }
 
+/// Asks for a file to write, whose name ends in `suffix` where no other is given; empty: none was chosen.
+QString MainWindow::askForFile(const QString& title, const QString& file, const QString& filter,
+                               const QString& suffix) {
+  QFileDialog dialog(this, title, QFileInfo(file).path(), filter);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(suffix);
+  dialog.selectFile(QFileInfo(file).fileName());
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().front() : QString();
+}
+
 void MainWindow::saveAs() {
-  const QString file = QFileDialog::getSaveFileName(
-      this, "Save the scene as", QString::fromStdString(studio_->document().file().string()), "Scenes (*.toml)");
+  const QString file = askForFile("Save the scene as", QString::fromStdString(studio_->document().file().string()),
+                                  "Scenes (*.toml)", "toml");
   if (file.isEmpty()) return;
   try {
     studio_->document().saveAs(file.toStdString());
@@ -82,7 +93,7 @@ void MainWindow::saveAs() {
 }
 
 void MainWindow::exportPicture() {
-  const QString file = QFileDialog::getSaveFileName(this, "Save the picture as", "garment.png", "Pictures (*.png)");
+  const QString file = askForFile("Save the picture as", "garment.png", "Pictures (*.png)", "png");
   if (file.isEmpty()) return;
   if (view_->picture(2).save(file))
     studio_->say("picture saved as " + file.toStdString());
@@ -106,7 +117,7 @@ bool MainWindow::mayEndRun() {
                                "opened, and a run can be gone on with.") == QMessageBox::Yes;
 }
 
-bool MainWindow::replaceBy(const std::function<Document()>& read, bool asks) {
+bool MainWindow::replaceBy(const std::function<Document()>& read, bool asks, const std::string& words) {
   if (asks && !(mayDropWork() && mayEndRun())) return false;
   if (asks) studio_->document().discardUnsaved();  // or the other document might find it
   try {
@@ -115,6 +126,8 @@ bool MainWindow::replaceBy(const std::function<Document()>& read, bool asks) {
     window->restoreGeometry(saveGeometry());
     window->show();
     window->studio().document().keepUnsaved();
+    if (!words.empty()) window->studio().say(words);
+    window->sync();
     if (asks) window->offerUnsavedWork();
     timer_.stop();
     setAttribute(Qt::WA_DeleteOnClose);
@@ -133,16 +146,16 @@ bool MainWindow::open(const QString& file, bool asks) {
   return replaceBy([&] { return Document::open(file.toStdString()); }, asks);
 }
 
-std::filesystem::path MainWindow::freeFile() const {
-  return Document::freeFile(studio_->document().file().parent_path());
+std::filesystem::path MainWindow::folder() const {
+  return studio_->document().file().parent_path();
 }
 
 bool MainWindow::openNew() {
-  return replaceBy([&] { return Document::builtin(freeFile()); }, true);
+  return replaceBy([&] { return Document::builtin(Document::freeFile(folder())); }, true);
 }
 
 bool MainWindow::openOnScans(const QStringList& scans, bool asks) {
-  return !scans.empty() && replaceBy([&] { return Document::onScans(ordered(scans), freeFile()); }, asks);
+  return !scans.empty() && replaceBy([&] { return Document::newOnScans(ordered(scans), folder()); }, asks);
 }
 
 bool MainWindow::mayAddPoses() {
@@ -158,7 +171,8 @@ bool MainWindow::mayAddPoses() {
 
 bool MainWindow::addPoses(const QStringList& scans) {
   if (scans.empty() || !mayAddPoses() || !mayEndRun()) return false;
-  return replaceBy([&] { return studio_->document().withPoses(ordered(scans)); }, false);
+  return replaceBy([&] { return studio_->document().withPoses(ordered(scans)); }, false,
+                   "poses added; what was done before cannot be undone any more");
 }
 
 QStringList MainWindow::askForScans(const QString& title) {
@@ -168,15 +182,15 @@ QStringList MainWindow::askForScans(const QString& title) {
 void MainWindow::offerUnsavedWork() {
   if (!studio_->document().wasRecovered()) return;
   Document& document = studio_->document();
-  QString question = "Work on this scene that was not saved has been found. Keep it?";
-  if (document.canUndo()) question += "\n(If not, Ctrl+Shift+Z still brings it back until the window is closed.)";
+  QString question = "Work on this scene that was not saved has been found. Keep it?\n";
+  question += document.canUndo() ? "(If not, Ctrl+Shift+Z still brings it back until the window is closed.)"
+                                 : "(If not, it is deleted.)";
   if (QMessageBox::question(this, "Unsaved work", question) == QMessageBox::No) {
     if (document.canUndo()) {
       studio_->undo();
     } else {  // it is on another body
       document.discardUnsaved();
-      const std::filesystem::path file = document.file();
-      replaceBy([&] { return std::filesystem::exists(file) ? Document::open(file) : Document::builtin(file); }, false);
+      replaceBy([&] { return document.withoutUnsaved(); }, false);
     }
   }
   sync();

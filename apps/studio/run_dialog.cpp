@@ -188,7 +188,9 @@ void RunDialog::showResult() {
   if (!stretch.isNull())
     picture_->setPixmap(stretch.scaled(room * devicePixelRatioF(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
   page_->setVisible(QFileInfo::exists(directory_ + "/fit.html"));
-  adjustSize();
+  layout()->activate();
+  const int width = sizeHint().width();  // adjustSize() would stop at two thirds of the screen
+  resize(width, std::max(sizeHint().height(), heightForWidth(width)));
   keepOnScreen(*this);
 }
 

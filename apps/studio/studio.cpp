@@ -187,21 +187,26 @@ void Studio::finishWork() {
   poll();
 }
 
+bool Studio::refuseWithoutGarment() {
+  if (made_ && made_->hasGarment()) return false;
+  if (!refuseWhileMaking()) refuse("there is no garment yet: draw boundaries, then click a region");
+  return true;
+}
+
 void Studio::play(bool plays) {
-  if (plays && (!made_ || !made_->hasGarment()))
-    return refuse("there is no garment yet: draw boundaries, then click a region");
+  if (plays && refuseWithoutGarment()) return;
   simulation_->play(plays);
   say(plays ? "simulating; Space pauses" : "paused");
 }
 
 void Studio::step(int steps) {
-  if (!made_ || !made_->hasGarment()) return refuse("there is no garment yet: draw boundaries, then click a region");
+  if (refuseWithoutGarment()) return;
   simulation_->play(false);
   simulation_->stepOnce(steps);
 }
 
 void Studio::startOver() {
-  if (!made_ || !made_->hasGarment()) return refuse("there is no garment yet: draw boundaries, then click a region");
+  if (refuseWithoutGarment()) return;
   pose_ = 0;
   simulation_->post([made = made_, adapts = adapts_](std::unique_ptr<LiveRun>& run) {
     run = std::make_unique<LiveRun>(made);
@@ -213,13 +218,15 @@ void Studio::startOver() {
 void Studio::goTo(int pose) {
   if (pose < 0 || pose >= static_cast<int>(body_.poses.size())) return refuse("there is no such pose");
   pose_ = pose;
-  if (!stage.hasCloth()) {
+  if (!made_ || !made_->hasGarment()) {
     stage.moveBody(body_.poses[pose]);
     return say("pose '" + body_.pose_names[pose] + "'; what you draw here is taken to the first pose");
   }
-  simulation_->post([pose, name = body_.pose_names[pose]](std::unique_ptr<LiveRun>& run) {
+  std::string words = "the body goes to pose '" + body_.pose_names[pose] + "'";
+  if (!simulation_->plays()) words += " as soon as the cloth moves (Space)";
+  simulation_->post([pose, words](std::unique_ptr<LiveRun>& run) {
     if (run) run->goTo(pose);
-    return "the body goes to pose '" + name + "'";
+    return words;
   });
 }
 

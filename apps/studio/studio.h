@@ -98,6 +98,7 @@ class Studio {
   void showMade();
   void putOnStage(LiveFrame frame);
   void goOnTour();
+  bool refuseWithoutGarment();
   /// Waits for the garment that is being made; returns whether it could be made.
   bool finishMaking();
 

@@ -38,6 +38,8 @@ class ViewWidget : public QWidget {
 
   /// The meshes on show may have changed.
   void refresh();
+  /// Measures once more what is under the pointer.
+  void tellPointedAt();
   /// The picture without its window, `times` as large, with the colour bar.
   QImage picture(int times = 1);
   /// A small picture of a body pose.

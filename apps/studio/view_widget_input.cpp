@@ -111,7 +111,13 @@ void ViewWidget::wheelEvent(QWheelEvent* event) {
   cameraMoved();
 }
 
+void ViewWidget::tellPointedAt() {
+  if (underMouse() && gesture_ == Gesture::none && content_ == Content::simulated)
+    Q_EMIT pointedAt(wordsAt(pointerOf(last_, {})));
+}
+
 void ViewWidget::leaveEvent(QEvent*) {
+  Q_EMIT pointedAt("");
   if (gesture_ != Gesture::none || !tool_ || content_ != Content::simulated) return;
   tool_->hover({-1e6, -1e6});
   refresh();

@@ -81,6 +81,24 @@ TEST_CASE("a scene saved in another folder, and what can be undone there, has th
   CHECK(document.scene().body->poses == std::vector<std::string>{scan});
 }
 
+TEST_CASE("a new scene on the same scans takes up what a crash left unsaved") {
+  const TemporaryDirectory directory;
+  const std::vector<std::filesystem::path> scans = {directory.path / "t.ply"};
+  directory.write("studio.toml", "");
+  {
+    Document document = Document::newOnScans(scans, directory.path);
+    CHECK(document.file() == directory.path / "studio 2.toml");
+    document.apply(withLoop(document, "waist"), "boundary");
+  }  // as a crash would
+  const Document again = Document::newOnScans(scans, directory.path);
+  CHECK(again.wasRecovered());
+  CHECK(again.text().find("waist") != std::string::npos);
+  CHECK(again.withoutUnsaved().scene().body->poses == std::vector<std::string>{"t.ply"});
+  CHECK(again.withoutUnsaved().text().find("waist") == std::string::npos);
+  CHECK(Document::newOnScans({directory.path / "other.ply"}, directory.path).file() ==
+        directory.path / "studio 3.toml");
+}
+
 TEST_CASE("unsaved work on another body is not undone to a body that the window does not show") {
   const TemporaryDirectory directory;
   const std::filesystem::path file = directory.path / "new.toml";
