@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "solver/base/error.h"
 #include "solver/base/whole_file.h"
 
@@ -36,14 +38,14 @@ limit = 0.08
 every = 4
 )";
 
+/// The folder that a file's name is in, also where that is a link to a file elsewhere.
 std::filesystem::path folderOf(const std::filesystem::path& file) {
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(file)).parent_path();
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file).lexically_normal().parent_path());
 }
 
 /// Name of a file in a scene that lies in `folder`: relative to it where it lies below it.
 std::string nameFrom(const std::filesystem::path& folder, const std::filesystem::path& file) {
-  const std::filesystem::path full = std::filesystem::weakly_canonical(std::filesystem::absolute(file)),
-                              below = full.lexically_relative(folder);
+  const std::filesystem::path full = folderOf(file) / file.filename(), below = full.lexically_relative(folder);
   const bool is_below = !below.empty() && *below.begin() != "..";
   return tomlText(is_below ? below.string() : full.string());
 }
@@ -85,6 +87,13 @@ std::string bodyOf(const std::string& text) {
   return SceneText(text).sectionsBelow("body");
 }
 
+bool hasItsScans(const Scene& scene) {
+  if (!scene.body || !scene.body->builtin.empty()) return true;
+  const std::filesystem::path folder = std::filesystem::absolute(scene.file).parent_path();
+  return std::all_of(scene.body->poses.begin(), scene.body->poses.end(),
+                     [&](const std::string& pose) { return std::filesystem::exists(folder / pose); });
+}
+
 }  // namespace
 
 Document::Document(std::string text, std::filesystem::path file) : file_(std::move(file)), saved_text_(text) {
@@ -124,7 +133,7 @@ void Document::checkTakesPoses() const {
     throw InputError("the built-in body has poses of its own; File, New on scans begins a scene on yours");
   const std::string written = SceneText(text()).value("body", 0, "poses");
   for (const std::string& pose : body->poses)
-    if (!written.empty() && written.find(tomlText(pose)) == std::string::npos)
+    if (!written.empty() && written.find(pose) == std::string::npos)
       throw InputError("the scene names its poses by a folder or pattern: put the scan there and open the scene again");
 }
 
@@ -173,7 +182,9 @@ void Document::recover() {
     if (bodyOf(unsaved) == bodyOf(text())) {
       apply(unsaved, "unsaved work");
     } else {  // the window shows one body: that it was another cannot be undone there
-      scene_ = readDraft(unsaved, file_);
+      Scene scene = readDraft(unsaved, file_);
+      if (!hasItsScans(scene)) return;  // what was saved can still be opened
+      scene_ = std::move(scene);
       history_.front().text = unsaved;
     }
     was_recovered_ = true;
@@ -237,11 +248,17 @@ void Document::save() {
 }
 
 void Document::saveAs(const std::filesystem::path& file) {
+  Version present{movedText(text(), file_, file), history_[now_].gesture};
+  readDraft(present.text, file);
   std::vector<Version> moved = history_;
-  for (Version& version : moved) version.text = movedText(version.text, file_, file);
-  readDraft(moved[now_].text, file);
-  writeWholeFile(file, moved[now_].text);
+  try {
+    for (Version& version : moved) version.text = movedText(version.text, file_, file);
+  } catch (const InputError&) {  // files are gone that an earlier version names: it cannot be gone back to
+    moved = {present};
+  }
+  writeWholeFile(file, present.text);
   discardUnsaved();
+  if (moved.size() < history_.size()) now_ = 0;
   history_ = std::move(moved);
   file_ = file;
   saved_text_ = text();

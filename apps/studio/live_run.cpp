@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "apps/painted_rest.h"
 #include "apps/run_pictures.h"
@@ -19,6 +20,10 @@ namespace {
 constexpr double kRoomForComfort = 0.02;  // m: comfort offset up to which the body need not be made anew
 constexpr double kEnoughTied = 0.3;       // share of the new vertices on the old mesh; with fewer it is another garment
 constexpr int kPaintIterations = 60;      // they move vertices by less than .1 mm by then; starting over makes them all
+
+double sumOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 }  // namespace
 
@@ -37,7 +42,7 @@ double LiveRun::largestOffset() const {
 
 void LiveRun::makeCloth() {
   const Scene& scene = made_->scene;
-  paint_ = made_->input.paint;
+  paint_ = first_paint_ = made_->input.paint;
   cloth_.emplace(made_->input.garment, scene.garment.grain, scene.material);
   if (!paint_.empty()) paintFirstRest(paint_, *cloth_);
   ordering_ = systemOrdering(cloth_->vertexCount(), cloth_->triangles());
@@ -56,6 +61,7 @@ void LiveRun::startOver() {
   penetration_ = {};
   steps_ = 0;
   adaptions_ = 0;
+  let_out_ = 0.0;
   pose_ = 0;
   if (!made_->input.poses.empty()) {
     stand(made_->input.poses.front());
@@ -144,7 +150,10 @@ void LiveRun::step() {
   ++steps_;
   if (!adapts_ || steps_ % measureEvery() != 0) return;
   measureStretch(*cloth_, state_.positions, stretch_);
-  if (adaption_->adapt(stretch_)) ++adaptions_;
+  const double before = sumOf(cloth_->restAreas());
+  if (!adaption_->adapt(stretch_)) return;
+  ++adaptions_;
+  let_out_ += sumOf(cloth_->restAreas()) - before;
 }
 
 void LiveRun::stepPart(const Moment& moment, int part) {
@@ -209,10 +218,17 @@ std::string LiveRun::changeInPlace(const MadeGarment& before) {
   return "change taken in";
 }
 
-std::string LiveRun::changeMesh(const MadeGarment& before) {
-  std::vector<double> ratio(cloth_->triangleCount());
+std::vector<double> LiveRun::paintedAreas() const {
+  const std::vector<double> painted = paintBetween(first_paint_, paint_);
+  std::vector<double> areas(cloth_->triangleCount());
   for (int t = 0; t < cloth_->triangleCount(); ++t)
-    ratio[t] = cloth_->restAreas()[t] / (0.5 * cloth_->first().edges[t].determinant());
+    areas[t] = 0.5 * cloth_->first().edges[t].determinant() * (painted.empty() ? 1.0 : painted[t] * painted[t]);
+  return areas;
+}
+
+std::string LiveRun::changeMesh(const MadeGarment& before) {
+  std::vector<double> ratio = paintedAreas();
+  for (int t = 0; t < cloth_->triangleCount(); ++t) ratio[t] = cloth_->restAreas()[t] / ratio[t];
   const TriangleMesh& mesh = made_->input.garment;
   const CarriedCloth carried =
       carryOver(before.input.garment, state_.positions, state_.velocities, ratio, mesh, buildTopology(mesh, "garment"));
@@ -244,14 +260,9 @@ LiveFrame LiveRun::frame(bool all) {
   measureStretch(*cloth_, state_.positions, stretch_);
   frame.stretch = stretch_;
   frame.statistics = momentStatistics(stretch_, limit());
-  double first = 0.0, now = 0.0;
-  for (int t = 0; t < cloth_->triangleCount(); ++t) {
-    const double area = 0.5 * cloth_->first().edges[t].determinant();
-    frame.growth.push_back(cloth_->restAreas()[t] / area);
-    first += area;
-    now += cloth_->restAreas()[t];
-  }
-  frame.cloth_added = now / first - 1.0;
+  for (int t = 0; t < cloth_->triangleCount(); ++t)
+    frame.growth.push_back(cloth_->restAreas()[t] / (0.5 * cloth_->first().edges[t].determinant()));
+  frame.let_out = let_out_ / sumOf(paintedAreas());
   if (all && contacts_) {
     contacts_->measure(contacts_->bodyAt(StepsDone{moving_, moving_, 0}), state_.positions);
     for (int v = 0; v < cloth_->vertexCount(); ++v)

@@ -22,13 +22,13 @@ struct LiveFrame {
   std::vector<double> gap;        // of every vertex: distance to the body less the comfort offset, m; empty: no body
   std::vector<double> pressure;   // of the body at every vertex, Pa; empty: no body
   StretchStatistics statistics;
-  double deepest = 0.0;      // of the cloth in the body so far, m
-  long steps = 0;            // since the start
-  double time_s = 0.0;       // since the start
-  int pose = 0;              // where the body is or goes to
-  double way = 1.0;          // share of the way to that pose
-  int adaptions = 0;         // how often the rest shape was let out
-  double cloth_added = 0.0;  // area of the rest shape over that of the first, less one
+  double deepest = 0.0;  // of the cloth in the body so far, m
+  long steps = 0;        // since the start
+  double time_s = 0.0;   // since the start
+  int pose = 0;          // where the body is or goes to
+  double way = 1.0;      // share of the way to that pose
+  int adaptions = 0;     // how often the rest shape was let out
+  double let_out = 0.0;  // area that was let out so far, over that of the first rest shape with its paint
 };
 
 class LiveRun {
@@ -66,12 +66,15 @@ class LiveRun {
   Moment nextMoment() const;
   std::string changeInPlace(const MadeGarment& before);
   std::string changeMesh(const MadeGarment& before);
+  /// Areas of the first rest shape's triangles with today's paint, m^2.
+  std::vector<double> paintedAreas() const;
   int measureEvery() const { return made_->scene.adaption ? made_->scene.adaption->every : 4; }
   double limit() const;
   double largestOffset() const;
 
   std::shared_ptr<const MadeGarment> made_;
-  std::vector<double> paint_;  // in the rest shape; empty: none
+  std::vector<double> paint_;        // in the rest shape; empty: none
+  std::vector<double> first_paint_;  // in the first one
   std::optional<Cloth> cloth_;
   std::vector<int> ordering_;
   std::optional<RunSettings> settings_;
@@ -87,6 +90,7 @@ class LiveRun {
   Penetration penetration_;
   bool adapts_ = false;
   int pose_ = 0, moving_ = 0, way_steps_ = 0, adaptions_ = 0;
+  double let_out_ = 0.0;  // m^2
   long steps_ = 0;
 };
 

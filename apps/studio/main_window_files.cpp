@@ -84,6 +84,7 @@ void MainWindow::saveAs() {
   if (file.isEmpty()) return;
   try {
     studio_->document().saveAs(file.toStdString());
+    text_revision_ = -1;  // names of meshes may have changed
     studio_->say("saved as " + file.toStdString());
   } catch (const std::exception& error) {
     studio_->refuse(error.what());
@@ -120,6 +121,7 @@ bool MainWindow::mayEndRun() {
 bool MainWindow::replaceBy(const std::function<Document()>& read, bool asks, const std::string& words) {
   if (asks && !(mayDropWork() && mayEndRun())) return false;
   if (asks) studio_->document().discardUnsaved();  // or the other document might find it
+  timer_.stop();
   try {
     auto* window = new MainWindow(read());
     window->setAttribute(Qt::WA_DeleteOnClose);
@@ -129,12 +131,12 @@ bool MainWindow::replaceBy(const std::function<Document()>& read, bool asks, con
     if (!words.empty()) window->studio().say(words);
     window->sync();
     if (asks) window->offerUnsavedWork();
-    timer_.stop();
     setAttribute(Qt::WA_DeleteOnClose);
     asks_ = false;
     close();
     return true;
   } catch (const std::exception& error) {
+    timer_.start();
     studio_->document().keepUnsaved();
     studio_->refuse(error.what());
     sync();
@@ -185,7 +187,10 @@ void MainWindow::offerUnsavedWork() {
   QString question = "Work on this scene that was not saved has been found. Keep it?\n";
   question += document.canUndo() ? "(If not, Ctrl+Shift+Z still brings it back until the window is closed.)"
                                  : "(If not, it is deleted.)";
-  if (QMessageBox::question(this, "Unsaved work", question) == QMessageBox::No) {
+  QMessageBox box(QMessageBox::Question, "Unsaved work", question, QMessageBox::Yes | QMessageBox::No, this);
+  box.setDefaultButton(QMessageBox::Yes);
+  box.setEscapeButton(QMessageBox::Yes);
+  if (box.exec() == QMessageBox::No) {
     if (document.canUndo()) {
       studio_->undo();
     } else {  // it is on another body

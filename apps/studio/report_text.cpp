@@ -26,7 +26,7 @@ QString reportText(const LiveFrame& frame, double steps_per_s, double pictures_p
     text +=
         row("Over " + number(1.0 + adaption->limit, 2), number(100.0 * frame.statistics.share_over_limit, 2) + " %");
   text += row("Deepest in the body", number(1000.0 * frame.deepest, 1) + " mm");
-  text += row("Cloth let out", number(100.0 * frame.cloth_added, 2) + " %");
+  text += row("Cloth let out", number(100.0 * frame.let_out, 2) + " %");
   return text + "</table>";
 }
 

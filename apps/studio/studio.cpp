@@ -231,8 +231,8 @@ void Studio::goTo(int pose) {
 }
 
 void Studio::tour(bool goes_on) {
-  if (goes_on && (!stage.hasCloth() || body_.poses.size() < 2))
-    return refuse(stage.hasCloth() ? "the scene has one pose only" : "there is no garment yet that could move along");
+  if (goes_on && refuseWithoutGarment()) return;
+  if (goes_on && body_.poses.size() < 2) return refuse("the scene has one pose only");
   is_on_tour_ = goes_on;
   if (!goes_on) return say("the body goes on to pose '" + body_.pose_names[pose_] + "' and stays there");
   if (!simulation_->plays()) play(true);

@@ -83,6 +83,7 @@ TEST_CASE("a scene saved in another folder, and what can be undone there, has th
 
 TEST_CASE("a new scene on the same scans takes up what a crash left unsaved") {
   const TemporaryDirectory directory;
+  directory.write("t.ply", "");
   const std::vector<std::filesystem::path> scans = {directory.path / "t.ply"};
   directory.write("studio.toml", "");
   {
@@ -101,6 +102,7 @@ TEST_CASE("a new scene on the same scans takes up what a crash left unsaved") {
 
 TEST_CASE("unsaved work on another body is not undone to a body that the window does not show") {
   const TemporaryDirectory directory;
+  directory.write("t.ply", "");
   const std::filesystem::path file = directory.path / "new.toml";
   {
     Document document = Document::onScans({directory.path / "t.ply"}, file);
@@ -111,6 +113,9 @@ TEST_CASE("unsaved work on another body is not undone to a body that the window 
   CHECK(again.scene().body->poses == std::vector<std::string>{"t.ply"});
   CHECK_FALSE(again.canUndo());
   CHECK_FALSE(again.isSaved());
+
+  std::filesystem::remove(directory.path / "t.ply");
+  CHECK_FALSE(Document::open(file).wasRecovered());  // a scene whose scans are gone could not be shown
 }
 
 TEST_CASE("a new scene gets a file name that is free") {
