@@ -1,8 +1,12 @@
 // What the window's scene file makes, and runs that are started from the window (main_window_results.cpp).
 #include <QApplication>
+#include <QDir>
+#include <QImage>
+#include <QLabel>
 #include <QPointer>
 #include <QProcess>
 #include <QtTest>
+#include <algorithm>
 
 #include "apps/studio/keep_on_screen.h"
 #include "apps/studio/parts.h"
@@ -39,6 +43,26 @@ void WindowTest::aRunCanBeCancelled() {
   QVERIFY2(dialog->text().startsWith("It was ended"), qPrintable(dialog->text()));
   keepOnScreen(*dialog);
   QVERIFY(dialog->screen()->availableGeometry().contains(dialog->frameGeometry()));
+  dialog->close();
+}
+
+void WindowTest::theResultWindowShowsTheWholePicture() {
+  const QString results = directory_.path() + "/shown";
+  QVERIFY(QDir().mkpath(results));
+  QImage picture(1600, 1000, QImage::Format_RGB32);
+  picture.fill(Qt::red);
+  QVERIFY(picture.save(results + "/pattern_resewn.png"));  // which a command other than run shows
+  auto* dialog = new RunDialog({"garment"}, directory_.path() + "/dress.toml", results, window_.get());
+  dialog->show();
+  QTRY_VERIFY_WITH_TIMEOUT(!dialog->isRunning() && dialog->text().startsWith("Results in"), 60000);
+  const QList<QLabel*> labels = dialog->findChildren<QLabel*>();
+  const auto shown = std::find_if(labels.begin(), labels.end(),
+                                  [](QLabel* label) { return !label->pixmap(Qt::ReturnByValue).isNull(); });
+  QVERIFY(shown != labels.end());
+  QCoreApplication::processEvents();
+  const QPixmap pixmap = (*shown)->pixmap(Qt::ReturnByValue);
+  QVERIFY2((*shown)->width() >= pixmap.width() && (*shown)->height() >= pixmap.height(),
+           qPrintable(QString("%1 of %2 pixels").arg((*shown)->width()).arg(pixmap.width())));
   dialog->close();
 }
 

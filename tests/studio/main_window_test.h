@@ -27,6 +27,7 @@ class WindowTest : public WindowHands {
   void theSavedFileMakesTheSameGarment();
   void aRunCanBeCancelled();
   void nothingIsCutOffAtLargeText();
+  void theResultWindowShowsTheWholePicture();
   void aSceneIsBegunOnScansAndGetsPoses();
   void theNextWindowIsAsLargeAsTheLast();
   void cleanupTestCase();
