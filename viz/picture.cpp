@@ -19,6 +19,7 @@
 #include "viz/color_scale.h"
 #include "viz/lights.h"
 #include "viz/live_surface.h"
+#include "viz/live_view.h"
 #include "viz/overlay.h"
 #include "viz/poly_data.h"
 #include "viz/rendered_file.h"
@@ -43,10 +44,8 @@ void checkViews(const std::vector<StretchView>& views, double low, double high) 
   }
 }
 
-constexpr Rgb kBodyColor = {199, 199, 199};
-
 vtkSmartPointer<vtkActor> garmentActor(const StretchView& view, const ColorScale& scale) {
-  LiveSurface surface(kBodyColor);
+  LiveSurface surface(LiveView::kClothColor);
   surface.set(*view.garment);
   std::vector<Rgb> colors;
   for (float value : view.values) colors.push_back(scale.color(value));
@@ -55,7 +54,7 @@ vtkSmartPointer<vtkActor> garmentActor(const StretchView& view, const ColorScale
 }
 
 vtkSmartPointer<vtkActor> bodyActor(const TriangleMesh& body) {
-  LiveSurface surface(kBodyColor);
+  LiveSurface surface(LiveView::kBodyColor);
   surface.set(body);
   surface.actor->GetProperty()->BackfaceCullingOn();  // a body is closed: nobody sees its inside
   return surface.actor.Get();

@@ -19,9 +19,7 @@ void extend(Eigen::AlignedBox3d& box, const Positions& x) {
 
 std::vector<std::string> encoded(const std::vector<Picture>& pictures) {
   std::vector<std::string> uris(pictures.size());
-  parallelBlocks(static_cast<int>(pictures.size()), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) uris[k] = jpegDataUri(pictures[k]);
-  });
+  parallelFor(static_cast<int>(pictures.size()), 1, [&](int k) { uris[k] = jpegDataUri(pictures[k]); });
   return uris;
 }
 

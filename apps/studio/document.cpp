@@ -89,7 +89,7 @@ std::string bodyOf(const std::string& text) {
 
 bool hasItsScans(const Scene& scene) {
   if (!scene.body || !scene.body->builtin.empty()) return true;
-  const std::filesystem::path folder = std::filesystem::absolute(scene.file).parent_path();
+  const std::filesystem::path folder = folderOf(scene.file);
   return std::all_of(scene.body->poses.begin(), scene.body->poses.end(),
                      [&](const std::string& pose) { return std::filesystem::exists(folder / pose); });
 }

@@ -24,7 +24,8 @@ class Document {
   static Document builtin(const std::filesystem::path& file);
   /// A new scene on scans of one person, the poses in this order.
   static Document onScans(const std::vector<std::filesystem::path>& scans, const std::filesystem::path& file);
-  /// The same in a free file of this folder; or the unsaved work on these scans that a crash left there.
+  /// Begins a new scene on scans in a free file of this folder, or takes up the unsaved work on these scans that a
+  /// crash left there.
   static Document newOnScans(const std::vector<std::filesystem::path>& scans, const std::filesystem::path& folder);
   /// A file in this folder for a new scene.
   static std::filesystem::path freeFile(const std::filesystem::path& folder);

@@ -60,7 +60,6 @@ void LiveRun::startOver() {
   state_ = {startOf(made_->input), Positions::Zero(cloth_->vertexCount(), 3)};
   penetration_ = {};
   steps_ = 0;
-  adaptions_ = 0;
   let_out_ = 0.0;
   pose_ = 0;
   if (!made_->input.poses.empty()) {
@@ -151,9 +150,7 @@ void LiveRun::step() {
   if (!adapts_ || steps_ % measureEvery() != 0) return;
   measureStretch(*cloth_, state_.positions, stretch_);
   const double before = sumOf(cloth_->restAreas());
-  if (!adaption_->adapt(stretch_)) return;
-  ++adaptions_;
-  let_out_ += sumOf(cloth_->restAreas()) - before;
+  if (adaption_->adapt(stretch_)) let_out_ += sumOf(cloth_->restAreas()) - before;
 }
 
 void LiveRun::stepPart(const Moment& moment, int part) {
@@ -274,7 +271,6 @@ LiveFrame LiveRun::frame(bool all) {
   frame.time_s = static_cast<double>(steps_) * settings_->schedule.time_step;
   frame.pose = pose_;
   frame.way = way_steps_ > 0 ? static_cast<double>(moving_) / way_steps_ : 1.0;
-  frame.adaptions = adaptions_;
   return frame;
 }
 

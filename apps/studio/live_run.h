@@ -27,7 +27,6 @@ struct LiveFrame {
   double time_s = 0.0;   // since the start
   int pose = 0;          // where the body is or goes to
   double way = 1.0;      // share of the way to that pose
-  int adaptions = 0;     // how often the rest shape was let out
   double let_out = 0.0;  // area that was let out so far, over that of the first rest shape with its paint
 };
 
@@ -89,7 +88,7 @@ class LiveRun {
   std::vector<Stretch> stretch_;
   Penetration penetration_;
   bool adapts_ = false;
-  int pose_ = 0, moving_ = 0, way_steps_ = 0, adaptions_ = 0;
+  int pose_ = 0, moving_ = 0, way_steps_ = 0;
   double let_out_ = 0.0;  // m^2
   long steps_ = 0;
 };

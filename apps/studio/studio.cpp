@@ -150,7 +150,7 @@ void Studio::showMade() {
 }
 
 void Studio::putOnStage(LiveFrame frame) {
-  if (!made_ || !made_->hasGarment()) return;  // undone since
+  if (!hasGarment()) return;  // undone since
   frame_ = std::move(frame);
   stage.setCloth(frame_->made, frame_->garment);
   stage.moveBody(frame_->body);
@@ -188,7 +188,7 @@ void Studio::finishWork() {
 }
 
 bool Studio::refuseWithoutGarment() {
-  if (made_ && made_->hasGarment()) return false;
+  if (hasGarment()) return false;
   if (!refuseWhileMaking()) refuse("there is no garment yet: draw boundaries, then click a region");
   return true;
 }
@@ -218,7 +218,7 @@ void Studio::startOver() {
 void Studio::goTo(int pose) {
   if (pose < 0 || pose >= static_cast<int>(body_.poses.size())) return refuse("there is no such pose");
   pose_ = pose;
-  if (!made_ || !made_->hasGarment()) {
+  if (!hasGarment()) {
     stage.moveBody(body_.poses[pose]);
     return say("pose '" + body_.pose_names[pose] + "'; what you draw here is taken to the first pose");
   }

@@ -98,6 +98,8 @@ class Studio {
   void showMade();
   void putOnStage(LiveFrame frame);
   void goOnTour();
+  bool hasGarment() const { return made_ && made_->hasGarment(); }
+  /// Refuses what needs a garment where there is none; returns whether it did.
   bool refuseWithoutGarment();
   /// Waits for the garment that is being made; returns whether it could be made.
   bool finishMaking();
