@@ -173,8 +173,9 @@ ExitCode runCommand(const Arguments& arguments, const std::atomic<bool>& interru
     substepsOf(scene, input);  // throws if the scene cannot be simulated
     if (checkpoint) checkResumable(*checkpoint, arguments.resumed, scene, input);
     if (checkpoint && isAtEnd(*checkpoint, arguments.resumed, scene, input)) {
-      fmt::print("nothing left to do: the run in {} is at the end; it goes on with more poses, cycles or steps\n",
-                 arguments.resumed);
+      fmt::print(
+          "nothing left to do: the run in {} is at the end; it goes on with more poses, cycles, passes or steps\n",
+          arguments.resumed);
       return kDone;
     }
     const ResultDirectory results(directory);

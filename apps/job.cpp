@@ -89,7 +89,7 @@ class Job {
     const Stopwatch setup(report_.setup_s);
     removeOldResults(directory_, append_to_series_);
     cloth_.emplace(input_.garment, scene_.garment.grain, scene_.material);
-    if (resume_from_)
+    if (resume_from_ && keepsFirstRest(*resume_from_, scene_, input_))
       cloth_->setFirst(resume_from_->first_rest);
     else if (!input_.paint.empty())
       paintFirstRest(input_.paint, *cloth_);

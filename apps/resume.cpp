@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "apps/fingerprint.h"
+#include "apps/run_inputs.h"
 #include "apps/scene_run.h"
 #include "solver/base/error.h"
 
@@ -34,6 +36,11 @@ void checkPosesMet(const Checkpoint& checkpoint, const std::string& directory, c
         fmt::format("{}: the motion has {} with its cycles, and the run in {} met {}: expected as many at "
                     "least",
                     key, met.size(), directory, checkpoint.poses_met.size()));
+}
+
+nlohmann::json reportIn(const std::filesystem::path& directory) {
+  std::ifstream in(directory / "report.json");
+  return nlohmann::json::parse(in, nullptr, false);
 }
 
 }  // namespace
@@ -107,6 +114,10 @@ bool resumesFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInp
          checkpoint.paint == input.paint;
 }
 
+bool keepsFirstRest(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& input) {
+  return !fitsInPasses(scene) || checkpoint.paint == input.paint;
+}
+
 InputNumbering numberingOf(const SceneInput& input, const std::optional<Checkpoint>& checkpoint) {
   InputNumbering numbering = spatialNumbering(input);
   if (checkpoint) numbering.garment = checkpoint->numbering;
@@ -120,12 +131,12 @@ bool isAtEnd(const Checkpoint& checkpoint, const std::filesystem::path& director
   if (!fitsInPasses(scene)) return timeline(adaptingSchedule(scene), checkpoint.run.done).empty();
   const FitState& fit = checkpoint.fit;
   const bool ended = fit.over || static_cast<int>(fit.passes.size()) >= scene.adaption->fit.max_passes;
-  return ended && checkpoint.poses_met == posesOfWholeMotion(scene, input);
+  return ended && checkpoint.poses_met == posesOfWholeMotion(scene, input) &&
+         reportIn(directory).value("inputs", std::map<std::string, std::string>()) == runInputs(scene);
 }
 
 bool isFinished(const std::filesystem::path& directory, bool with_replays) {
-  std::ifstream in(directory / "report.json");
-  const nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
+  const nlohmann::json report = reportIn(directory);
   const bool ended = report.is_object() && !report.value("interrupted", true) && !report.contains("failure");
   return ended && (!with_replays || report.value("/sigma_1"_json_pointer, nlohmann::json()).contains("after"));
 }

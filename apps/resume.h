@@ -35,10 +35,15 @@ std::vector<std::uint64_t> posesOfWholeMotion(const Scene& scene, const SceneInp
 /// begin anew.  `given`: in the numbering of its files; `input`: in that of the checkpoint.
 bool resumesFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& given, const SceneInput& input);
 
+/// Whether a run that goes on keeps the first rest shape that it began with: a fit with other paint begins anew with
+/// that.
+bool keepsFirstRest(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& input);
+
 /// How a run numbers its garment and body: as the checkpoint that it goes on from, or else along a curve through space.
 InputNumbering numberingOf(const SceneInput& input, const std::optional<Checkpoint>& checkpoint);
 
-/// Whether nothing is left to do for the scene after the checkpoint in `directory`, reports included.
+/// Whether nothing is left to do for the scene after the checkpoint in `directory`, reports included.  A fit that is
+/// over is checked again, and goes on where it has to, if anything that it depends on has changed.
 bool isAtEnd(const Checkpoint& checkpoint, const std::filesystem::path& directory, const Scene& scene,
              const SceneInput& input);
 

@@ -48,3 +48,31 @@ TEST_CASE("a fit that goes on after a pass gives what an unbroken one gives, to 
   CHECK(shorter != contentOf(directory.path / "whole/rest_shape.obj"));
   CHECK_THAT(runEase(directory, "run whole.toml --resume half").out, StartsWith("nothing left to do"));
 }
+
+TEST_CASE("a fit that is over goes on where its scene has changed, and begins anew with other paint") {
+  const TemporaryDirectory directory;
+  const auto resume = [&](const std::string& limit, const std::string& paint, const std::string& arguments) {
+    directory.write("fit.toml",
+                    "[body]\nbuiltin = 'mannequin'\nposes = ['t', 'a']\nseconds_per_pose = 0.1\n[garment]\n"
+                    "builtin = 't-shirt'\nvertices = 400\n[[garment.pin]]\nloop = 'neck'\n" +
+                        paint + "[adaption]\npasses = 4\nlimit = " + limit + "\n");
+    const Outcome outcome = runEase(directory, "run fit.toml " + arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return nlohmann::json::parse(contentOf(directory.path / "there/report.json"));
+  };
+  const auto passes = [](const nlohmann::json& report) { return report["adaption"]["passes"].size(); };
+  const auto lax = resume("0.5", "", "-o there");
+  CHECK(passes(lax) == 1);
+  CHECK(lax["rest_growth"]["max"] == Approx(1.0));
+  const auto strict = resume("0.02", "", "--resume there");
+  CHECK(strict["resumed_after_passes"] == 1);
+  CHECK(passes(strict) > 1);
+  CHECK(strict["rest_growth"]["max"] > 1.01);
+  const auto painted =
+      resume("0.02", "[[garment.paint]]\nat = [0, 1.2, 0.1]\nradius = 0.3\nscale = 1.2\n", "--resume there");
+  CHECK_FALSE(painted.contains("resumed_after_passes"));
+  const auto whole = resume("0.02", "[[garment.paint]]\nat = [0, 1.2, 0.1]\nradius = 0.3\nscale = 1.2\n", "-o there");
+  CHECK(painted["adaption"]["passes"][0]["share_over_limit"] == whole["adaption"]["passes"][0]["share_over_limit"]);
+  CHECK(painted["rest_growth"]["area_ratio"] == whole["rest_growth"]["area_ratio"]);
+}
