@@ -215,11 +215,9 @@ void divideMotion(const TomlTable& root, Scene& scene) {
   const auto gives = [&](const char* key) { return solver && solver->has(key); };
   const bool in_passes = body && adaption && adaption->choice("mode", "passes", {"passes", "sequential"}) == "passes";
   if (in_passes && !gives("tolerance")) scene.solver.tolerance = kPassTolerance;
+  if (in_passes && !gives("time_step")) scene.solver.time_step = kPassTimeStep;
+  if (in_passes && !gives("steps_per_pose")) scene.solver.steps_per_pose = 1;
   if (!body || body->has("steps")) return;
-  if (in_passes && !gives("time_step") && !gives("steps_per_pose")) {
-    scene.solver.time_step = kPassTimeStep;
-    scene.solver.steps_per_pose = 1;
-  }
   const double step_s = scene.solver.time_step * scene.solver.steps_per_pose;
   const double steps = std::max(1.0, std::round(scene.body->seconds_per_pose / step_s));
   if (steps > kMaxTimeSteps)

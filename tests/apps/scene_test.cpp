@@ -242,8 +242,8 @@ TEST_CASE("the program divides the motion into time steps unless the scene does"
   check(sceneOf(body + rest + "[adaption]\n"), 0.0125, 1, 48, 2);
   check(sceneOf(body + "seconds_per_pose = 1.0\n" + rest + "[adaption]\n"), 0.0125, 1, 80, 2);
   check(sceneOf(body + rest + "[adaption]\nmode = 'sequential'\n"), 0.0025, 4, 60, 8);
-  check(sceneOf(body + rest + "[solver]\ntime_step = 0.005\n[adaption]\n"), 0.005, 4, 30, 4);
-  check(sceneOf(body + "steps = 7\n" + rest + "[adaption]\n"), 0.0025, 4, 7, 8);
+  check(sceneOf(body + rest + "[solver]\ntime_step = 0.005\n[adaption]\n"), 0.005, 1, 120, 4);
+  check(sceneOf(body + "steps = 7\n" + rest + "[adaption]\n"), 0.0125, 1, 7, 2);
   CHECK(sceneOf(body + rest + "[adaption]\n").solver.tolerance == Approx(0.2));
   CHECK(sceneOf(body + rest + "[adaption]\n[solver]\ntolerance = 0.01\n").solver.tolerance == Approx(0.01));
   CHECK_THAT(errorOf(body + "steps = 7\nseconds_per_pose = 1.0\n" + rest),
