@@ -39,6 +39,16 @@ const Triangles& trianglesAsRead(const SceneInput& input) {
   return input.as_read ? input.as_read->mesh.triangles : input.garment.triangles;
 }
 
+std::vector<int> verticesAsRead(const SceneInput& input, std::vector<int> vertices) {
+  if (!input.as_read) return vertices;
+  std::vector<int> first(input.garment.positions.rows(), -1);
+  const std::vector<int>& of_file = input.as_read->vertex;
+  for (size_t v = of_file.size(); v-- > 0;)
+    if (of_file[v] >= 0) first[of_file[v]] = static_cast<int>(v);
+  for (int& v : vertices) v = first[v];
+  return vertices;
+}
+
 Frame restored(const Frame& frame, const Numbering& numbering) {
   Frame original = frame;
   original.positions = restored(frame.positions, numbering.vertices);

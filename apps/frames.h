@@ -37,6 +37,9 @@ Frame asRead(const Frame& frame, const std::optional<GarmentAsRead>& file);
 /// The garment's triangles as its file numbers their vertices.
 const Triangles& trianglesAsRead(const SceneInput& input);
 
+/// The numbers of these vertices of the garment in its file: of the first ones that became them.
+std::vector<int> verticesAsRead(const SceneInput& input, std::vector<int> vertices);
+
 /// Undoes the renumbering of a mesh: returns positions and arrays in their original order.
 Frame restored(const Frame& frame, const Numbering& numbering);
 

@@ -130,8 +130,11 @@ std::string writeGarment(const Scene& scene, const SceneInput& input, const std:
 }
 
 std::string writePieces(const TriangleMesh& garment, const std::vector<Seam>& seams,
-                        const std::filesystem::path& directory, const std::string& name) {
-  const Pieces pieces = cutIntoPieces(garment, seams);
+                        const std::filesystem::path& directory, const std::string& name,
+                        const std::vector<int>& file_vertex) {
+  Pieces pieces = cutIntoPieces(garment, seams);
+  for (int& vertex : pieces.glue)
+    if (!file_vertex.empty()) vertex = file_vertex[vertex];
   Frame frame{pieces.mesh.positions, {}, {}};
   for (const OutputArray<Pieces>& array : pieceArrays()) addArray(array, pieces, frame);
   writeObj(directory / (name + ".obj"), pieces.mesh);

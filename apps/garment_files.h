@@ -18,8 +18,10 @@ std::string writeGarment(const Scene& scene, const SceneInput& input, const std:
 
 /// Cuts the garment, or its rest shape, along the seams.  Writes NAME.obj; NAME.vtp, with the number of the piece that
 /// each triangle belongs to; and NAME.json, which gives for each vertex of the pieces the vertex of the whole garment,
-/// so that the pieces can be joined again.  Returns a summary of one line.
+/// so that the pieces can be joined again.  `file_vertex`: the numbers of the garment's vertices in its file; empty:
+/// the same.  Returns a summary of one line.
 std::string writePieces(const TriangleMesh& garment, const std::vector<Seam>& seams,
-                        const std::filesystem::path& directory, const std::string& name);
+                        const std::filesystem::path& directory, const std::string& name,
+                        const std::vector<int>& file_vertex = {});
 
 }  // namespace ease

@@ -10,6 +10,7 @@
 #include "apps/page/garment_areas.h"
 #include "apps/painted_rest.h"
 #include "apps/words.h"
+#include "garment/pattern/piece_warnings.h"
 
 namespace ease {
 
@@ -28,14 +29,9 @@ void checkPlane(const Scene& scene, const SceneInput& input) {
 /// Throws InputError where a piece of this width, m, does not fit onto the cloth even if it is taken in.
 void checkWidths(const Scene& scene, const FlatPattern& pattern, double widest) {
   constexpr double kTakenIn = 0.95;  // of a piece's width, at least, that the rest shape's has
-  std::vector<double> low(pattern.pieces.size(), INFINITY), high(pattern.pieces.size(), -INFINITY);
-  for (const PieceEdge& edge : pattern.cut.edges)
-    for (const int v : edge.vertices) {
-      low[edge.piece] = std::min(low[edge.piece], pattern.x(v, 1));
-      high[edge.piece] = std::max(high[edge.piece], pattern.x(v, 1));
-    }
-  for (size_t p = 0; p < low.size(); ++p)
-    if (const double width = high[p] - low[p]; kTakenIn * width > widest)
+  const std::vector<double> widths = widthsAcross(pattern);
+  for (size_t p = 0; p < widths.size(); ++p)
+    if (const double width = widths[p]; kTakenIn * width > widest)
       throw InputError(fmt::format(
           "fabric_width = {:g}: piece '{}' is about {:.2f} m wide across the grain, and {:.2f} m with its allowance: "
           "expected wider fabric, or a seam that divides the piece",

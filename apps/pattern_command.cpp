@@ -85,17 +85,6 @@ RestShape readRestShape(const fs::path& file, const SceneInput& input) {
   return rest;
 }
 
-/// The numbers of these vertices of the garment in its file: of the first ones that became them.
-std::vector<int> fileVertices(const SceneInput& input, std::vector<int> vertices) {
-  if (!input.as_read) return vertices;
-  std::vector<int> first(input.garment.positions.rows(), -1);
-  const std::vector<int>& of_file = input.as_read->vertex;
-  for (size_t v = of_file.size(); v-- > 0;)
-    if (of_file[v] >= 0) first[of_file[v]] = static_cast<int>(v);
-  for (int& v : vertices) v = first[v];
-  return vertices;
-}
-
 /// Throws InputError where a run was made with another limit than the scene's.
 void checkSameLimit(const nlohmann::json& report, const Scene& scene, const fs::path& run) {
   const double limit = scene.adaption ? 1.0 + scene.adaption->limit : 0.0;
@@ -157,7 +146,7 @@ MadePattern madePattern(const Scene& scene, bool finds_cuts, const FlatSettings&
     }
     made.flat = flattenGarment(garment, settings);
     checkAllowanceNames(scene.pattern.allowances, made.flat.cut);
-    made.file_vertex = fileVertices(input, made.flat.cut.pieces.glue);
+    made.file_vertex = verticesAsRead(input, made.flat.cut.pieces.glue);
     cutInput(made.flat.slid, input, rest);
     drawPattern(scene, made);
   });
@@ -165,16 +154,19 @@ MadePattern madePattern(const Scene& scene, bool finds_cuts, const FlatSettings&
   return made;
 }
 
-/// Sews the pieces again, simulates the garment, and lets out pieces that need it.
+/// Sews the pieces again, simulates the garment, and lets out pieces that need it.  Where that fails or is interrupted,
+/// `made` stays as it was.
 void checkSewn(const Scene& scene, const SceneInput& input, const RestShape& rest, const FlatSettings& settings,
                const std::atomic<bool>& interrupted, MadePattern& made) {
   fmt::print("pattern   {} in {:.1f} s; the garment sewn from them is simulated\n",
              counted(static_cast<long>(made.flat.pieces.size()), "piece"), made.wall_s);
   std::fflush(stdout);
-  made.resewn = sewAgain(scene, input, rest, settings, interrupted, made.flat);
+  MadePattern sewn = made;
+  sewn.resewn = sewAgain(scene, input, rest, settings, interrupted, sewn.flat);
   const Clock::time_point let_out = Clock::now();
-  drawPattern(scene, made);
-  made.wall_s += secondsSince(let_out);
+  ofPattern(scene, [&] { drawPattern(scene, sewn); });
+  sewn.wall_s += secondsSince(let_out);
+  made = std::move(sewn);
 }
 
 }  // namespace
@@ -206,13 +198,21 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
     }
     RestShape rest = readRestShape(run / "rest_shape.vtp", input);
     MadePattern made = madePattern(scene, finds_cuts, settings, input, rest);
-    if (scene.pattern.check) checkSewn(scene, input, rest, settings, interrupted, made);
-    const std::vector<std::string> warnings = warningsOf(made);
-    for (const std::string& warning : warnings) say("warning", warning);
-    removeOldPattern(directory);
-    const std::string summary = writePattern(scene, input, made, directory);
-    showPatternInPage(directory, summary, warnings);
-    fmt::print("{}results   {}\n", summary, directory.string());
+    const auto write = [&] {
+      const std::vector<std::string> warnings = warningsOf(made);
+      for (const std::string& warning : warnings) say("warning", warning);
+      removeOldPattern(directory);
+      const std::string summary = writePattern(scene, input, made, directory);
+      showPatternInPage(directory, summary, warnings);
+      fmt::print("{}results   {}\n", summary, directory.string());
+    };
+    try {
+      if (scene.pattern.check) checkSewn(scene, input, rest, settings, interrupted, made);
+    } catch (...) {  // also where it is interrupted: the pattern is there
+      write();
+      throw;
+    }
+    write();
     return end == RunEnd::doubtful ? kDoubtful : kDone;
   });
 }

@@ -25,6 +25,19 @@ bool asksFor(const Scene& scene, const char* format) {
   return std::find(formats.begin(), formats.end(), format) != formats.end();
 }
 
+/// "allowances are drawn: 10 mm; hem 30 mm", as many as a line has room for: the pieces tell them, too.
+std::string allowanceWords(const Allowances& allowances) {
+  constexpr size_t kRoom = 90;  // letters
+  std::string words = fmt::format("allowances are drawn: {:.3g} mm", 1e3 * allowances.all);
+  for (const auto& [name, width] : allowances.by_name) {
+    if (width == allowances.all) continue;
+    const std::string more = fmt::format("; {} {:.3g} mm", name, 1e3 * width);
+    if (words.size() + more.size() > kRoom) return words + "; others stand on the pieces";
+    words += more;
+  }
+  return words;
+}
+
 std::string summaryOf(const Scene& scene, const MadePattern& made) {
   const FlatPattern& flat = made.flat;
   double seams = 0.0, worst_side = 0.0;
@@ -74,6 +87,9 @@ std::string summaryOf(const Scene& scene, const MadePattern& made) {
 
 std::vector<std::string> warningsOf(const MadePattern& made) {
   std::vector<std::string> warnings = made.flat.warnings;
+  for (std::string& warning : warnings)  // seams of the scene's own end the search unless it is asked for
+    if (made.cuts && warning.find("[[garment.seam]]") != std::string::npos)
+      warning += ", and [pattern.cuts] method = 'variational', so that the others are still looked for";
   if (made.cuts) warnings.insert(warnings.end(), made.cuts->warnings.begin(), made.cuts->warnings.end());
   return warnings;
 }
@@ -86,8 +102,10 @@ void drawPattern(const Scene& scene, MadePattern& made) {
     sides.right_length = 1e-3 * lengths[sides.right];
   }
   const double width = 1e3 * scene.pattern.fabric_width;
-  made.sheet = drawSheet(scene.name, made.pieces, width);
   made.cloth_length_mm = clothLength(made.pieces, width);
+  made.sheet = drawSheet(scene.name, made.pieces, width,
+                         {allowanceWords(scene.pattern.allowances),
+                          fmt::format("cloth: {:.2f} m, {:g} m wide", 1e-3 * made.cloth_length_mm, 1e-3 * width)});
 }
 
 std::string writePattern(const Scene& scene, const SceneInput& input, const MadePattern& made,

@@ -86,6 +86,8 @@ Json figuresOf(const Scene& scene, const MadePattern& made) {
                              {"kind", kindOf(flat, sides)},
                              {"left_piece", flat.pieces[flat.cut.edges[sides.left].piece].name},
                              {"right_piece", flat.pieces[flat.cut.edges[sides.right].piece].name},
+                             {"left_edge", sides.left},
+                             {"right_edge", sides.right},
                              {"rest_m", sides.rest_length},
                              {"left_m", sides.left_length},
                              {"right_m", sides.right_length},
@@ -151,6 +153,10 @@ std::string patternJson(const Scene& scene, const MadePattern& made) {
                        {"sewn_to", edge.partner >= 0 ? Json(edge.partner) : Json()},
                        {"garment_vertex", garment_vertices},
                        {"points", points}});
+      if (const auto twin = piece.mirror_edges.find(e); twin != piece.mirror_edges.end() && twin->second >= 0) {
+        const int sewn_to = flat.cut.edges[twin->second].partner;
+        edges.back()["mirror_edge"] = {{"edge", twin->second}, {"sewn_to", sewn_to >= 0 ? Json(sewn_to) : Json()}};
+      }
     }
     Json notches = Json::array();
     for (const Notch& notch : piece.notches) notches.push_back({notch.at.x(), notch.at.y()});

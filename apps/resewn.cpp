@@ -14,6 +14,7 @@
 #include "apps/run_pictures.h"
 #include "apps/scene_run.h"
 #include "apps/words.h"
+#include "garment/pattern/piece_warnings.h"
 #include "solver/base/error.h"
 #include "solver/base/stopwatch.h"
 
@@ -171,11 +172,22 @@ void compare(const Scene& scene, const SceneInput& input, const FlatPattern& pat
   result.sewn_end = sewn.poses.back();
 }
 
-/// Whether a piece overlaps itself that did not before.
-bool closesPiece(const FlatPattern& before, const FlatPattern& after) {
-  for (size_t p = 0; p < after.pieces.size(); ++p)
+/// Whether a piece that could be cut before overlaps itself or has become too wide for the cloth.
+bool spoilsPiece(const FlatPattern& before, const FlatPattern& after, double widest) {
+  const std::vector<double> was = widthsAcross(before), is = widthsAcross(after);
+  for (size_t p = 0; p < after.pieces.size(); ++p) {
     if (after.pieces[p].crosses_itself && !before.pieces[p].crosses_itself) return true;
+    if (is[p] > std::max(widest, was[p] + 1e-6)) return true;
+  }
   return false;
+}
+
+/// Why letting out has ended.
+std::string endOfLettingOut(int asked, int rounds) {
+  if (asked == 0) return "let_out = 0, they are not let out";
+  const std::string made = counted(rounds, "round") + " of letting out did not mend it";
+  if (rounds < asked) return made + ", and no triangle asks for more cloth";
+  return asked < kMaxLetOut ? made + ", raise [pattern] let_out" : made;
 }
 
 }  // namespace
@@ -211,7 +223,7 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
     loosen(input.garment.triangles, sewnEdges(trial), grown, excess);
     trial = flattenAgain(trial, grown, settings, excess);
     as_sewn = replay.simulate(numbered(sewnEdges(trial)), &demand, fmt::format("let out {}", counted(round, "time")));
-    if (as_sewn.over_limit >= result.over_limit || closesPiece(pattern, trial)) continue;
+    if (as_sewn.over_limit >= result.over_limit || spoilsPiece(pattern, trial, settings.widest)) continue;
     pattern = trial;
     compare(scene, input, pattern, as_designed, as_sewn, result);
     result.rounds = round;
@@ -220,10 +232,7 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
     pattern.warnings.push_back(fmt::format(
         "the sewn garment is over the limit on {:.2f} % of the triangles, the designed one on {:.2f} %: "
         "{}; add a [[garment.seam]]",
-        100 * result.over_limit, 100 * as_designed.over_limit,
-        scene.pattern.let_out > 0
-            ? fmt::format("{} of letting out did not mend it, raise [pattern] let_out", counted(round - 1, "round"))
-            : "let_out = 0, they are not let out"));
+        100 * result.over_limit, 100 * as_designed.over_limit, endOfLettingOut(scene.pattern.let_out, round - 1)));
   result.area_ratio = clothArea(pattern) / first_area;
   result.wall_s = wall();
   return result;

@@ -41,8 +41,12 @@ RestShapeFigures writeRestShape(const Cloth& cloth, const SceneInput& given, con
   const Frame as_read = asRead(rest, given.as_read);
   writeObj(directory / "rest_shape.obj", {as_read.positions, trianglesAsRead(given)});
   writeVtp(directory / "rest_shape.vtp", trianglesAsRead(given), as_read);
-  if (!given.seams.empty())
-    writePieces({rest.positions, given.garment.triangles}, given.seams, directory, "rest_pieces");
+  if (!given.seams.empty()) {
+    std::vector<int> vertices(given.garment.positions.rows());
+    std::iota(vertices.begin(), vertices.end(), 0);
+    writePieces({rest.positions, given.garment.triangles}, given.seams, directory, "rest_pieces",
+                verticesAsRead(given, vertices));
+  }
   return {growthOf(cloth), foldedEdges(cloth, cloth.first().positions)};
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "apps/scene_tools.h"
 #include "apps/words.h"
@@ -79,7 +80,7 @@ PatternScene readPattern(const TomlTable& table) {
   if (const double least = kMinRoom + 2.0 * pattern.allowances.widest(); pattern.fabric_width < least)
     table.refuse("fabric_width", fmt::format("at least {:.2f} m, for the narrowest piece with its allowance", least));
   pattern.free_grain = table.choice("grain", "garment", {"garment", "free"}) == "free";
-  pattern.paper = table.choice("paper", pattern.paper, {"a4", "letter"});
+  pattern.paper = table.choice("paper", pattern.paper, {"a4", "a3", "a0", "letter", "tabloid"});
   if (table.has("formats")) pattern.formats = table.texts("formats");
   const std::vector<std::string> known = {"svg", "pdf", "dxf", "json"};
   for (const std::string& format : pattern.formats)
@@ -88,7 +89,7 @@ PatternScene readPattern(const TomlTable& table) {
   pattern.check = table.boolean("check", pattern.check);
   if (!pattern.check && table.has("let_out"))
     table.refuse("let_out", "no such key with check = false: the garment that is checked is let out");
-  pattern.let_out = table.integer("let_out", pattern.let_out, 0, 20);
+  pattern.let_out = table.integer("let_out", pattern.let_out, 0, kMaxLetOut);
   if (const auto cuts = table.table("cuts")) pattern.cuts = readCuts(*cuts);
   for (const TomlTable& piece : table.tables("piece")) {
     piece.allow({"name", "at"});
@@ -103,7 +104,10 @@ PatternScene readPattern(const TomlTable& table) {
 }
 
 Paper paperNamed(const std::string& name) {
-  return name == "letter" ? Paper{215.9, 279.4} : Paper{};
+  const std::map<std::string, Paper> sizes = {
+      {"a3", {297.0, 420.0}}, {"a0", {841.0, 1189.0}}, {"letter", {215.9, 279.4}}, {"tabloid", {279.4, 431.8}}};
+  const auto size = sizes.find(name);
+  return size == sizes.end() ? Paper{} : size->second;
 }
 
 }  // namespace ease

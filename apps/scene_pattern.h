@@ -19,6 +19,8 @@ struct CutsScene {
   CutSettings settings;
 };
 
+constexpr int kMaxLetOut = 20;
+
 struct PatternScene {
   bool is_given = false;  // whether the scene has the table
   StrainLimits limits;
@@ -27,7 +29,7 @@ struct PatternScene {
   Allowances allowances;
   double fabric_width = 1.40;  // m
   bool free_grain = false;     // grain: "free", else "garment"
-  std::string paper = "a4";    // or "letter"
+  std::string paper = "a4";    // or "a3", "a0", "letter", "tabloid"
   std::vector<std::string> formats = {"svg", "pdf", "dxf", "json"};
   bool check = true;              // simulate the garment sewn from the pattern
   std::optional<CutsScene> cuts;  // none: seams are found where the garment has none

@@ -11,7 +11,7 @@ constexpr double kBeyondComfort = 0.025;
 
 /// Returns the schedule of the run that adapts the garment and writes its frames.
 Schedule adaptingSchedule(const Scene& scene);
-/// Returns the schedule of a replay: the motion once, without adaption and without frames.
+/// Returns the schedule of a replay: the motion once, without adaption; with frames where replays are written.
 Schedule replaySchedule(const Scene& scene);
 
 RunSettings runSettings(const Scene& scene, const Schedule& schedule);

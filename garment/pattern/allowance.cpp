@@ -5,6 +5,7 @@
 
 #include "garment/pattern/outer_boundary.h"
 #include "solver/base/error.h"
+#include "solver/base/joined.h"
 
 namespace ease {
 namespace {
@@ -190,7 +191,7 @@ void dropSpikes(std::vector<PaperPoint>& line) {
 
 }  // namespace
 
-std::vector<PaperPoint> cutLine(const std::vector<SewnEdge>& edges) {
+std::vector<PaperPoint> cutLine(const std::vector<SewnEdge>& edges, const std::string& name) {
   std::vector<PaperPoint> line;
   const size_t n = edges.size();
   if (n == 1) {  // one edge all around
@@ -208,7 +209,12 @@ std::vector<PaperPoint> cutLine(const std::vector<SewnEdge>& edges) {
   }
   std::vector<PaperPoint> outside = outerBoundary(line);
   dropSpikes(outside);
-  if (outside.size() < 3) throw ComputationError("the seam allowance of a piece crosses itself lengthwise");
+  if (outside.size() < 3) {
+    double widest = 0.0;
+    for (const SewnEdge& edge : edges) widest = std::max(widest, edge.width);
+    throw InputError(joined("allowance: that of ", name, ", up to ", widest,
+                            " mm wide, leaves no cut line around it: expected a narrower one"));
+  }
   return outside;
 }
 

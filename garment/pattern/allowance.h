@@ -29,8 +29,8 @@ struct SewnEdge {
   bool is_dart = false;            // a leg of a dart: it and the next edge, or it and the one before
 };
 
-/// The cut line, counter-clockwise, of a piece whose edges run counter-clockwise.  Throws ComputationError where it
-/// cannot be followed.
-std::vector<PaperPoint> cutLine(const std::vector<SewnEdge>& edges);
+/// The cut line, counter-clockwise, of a piece whose edges run counter-clockwise.  Throws InputError about `name`, in
+/// words, where it cannot be followed.
+std::vector<PaperPoint> cutLine(const std::vector<SewnEdge>& edges, const std::string& name = "a piece");
 
 }  // namespace ease

@@ -144,9 +144,8 @@ double CutEnergy::operator()(const RegionLevels& levels) {
       integral += element.area * meanSquare(valuesAt(u_, triangles, t, element));
     });
   });
-  distortion_ = scale_ * integral;
   length_ = 0.5 * sides;
-  return distortion_ + 2.0 * weights_.length * length_ / surface_.side;
+  return scale_ * integral + 2.0 * weights_.length * length_ / surface_.side;
 }
 
 void CutEnergy::solve(std::vector<double>& x) const {

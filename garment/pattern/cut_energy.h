@@ -38,8 +38,7 @@ class CutEnergy {
   /// Derivative by the levels last evaluated, ordered as phi.
   std::vector<double> derivative();
 
-  double distortion() const { return distortion_; }  // its part of the energy, weighted
-  double length() const { return length_; }          // of the lines, m
+  double length() const { return length_; }  // of the lines, m
 
  private:
   /// Tells triangles that lines cross from those that lie in one region whole.
@@ -56,7 +55,7 @@ class CutEnergy {
   RegionLevels levels_;
   std::vector<int> crossed_, whole_;  // triangles
   std::vector<double> u_, p_;
-  double distortion_ = 0.0, length_ = 0.0;
+  double length_ = 0.0;
 };
 
 }  // namespace ease

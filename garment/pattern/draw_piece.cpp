@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "garment/pattern/notches.h"
-#include "garment/pattern/sew_line.h"
 #include "solver/mesh/segment.h"
 
 namespace ease {
@@ -120,8 +119,10 @@ std::string seamWords(const FlatPattern& pattern, const PieceEdge& edge, const D
   return fits(by_number) ? by_number : edge.name;
 }
 
-/// Name, number and grain in the middle of the piece, names along the seams.  `numbers`: of all pieces, as drawn.
-void addWords(const FlatPattern& pattern, const SewLine& line, const std::vector<int>& numbers, DrawnPiece& piece) {
+/// Name, number and grain in the middle of the piece, names along the seams, and the width of their allowance where it
+/// is not `usual`, mm.  `numbers`: of all pieces, as drawn.
+void addWords(const FlatPattern& pattern, const SewLine& line, double usual, const std::vector<int>& numbers,
+              DrawnPiece& piece) {
   const PaperPoint middle = middleOf(piece.sew);
   const double room = std::max(20.0, 2.0 * depthWithin(middle, piece.sew));
   const std::string number = fmt::format("piece {} of {}", piece.number, piece.count),
@@ -145,7 +146,8 @@ void addWords(const FlatPattern& pattern, const SewLine& line, const std::vector
     const bool is_reversed = angle > 90.0 || angle <= -90.0;
     if (is_reversed) angle += angle > 0.0 ? -180.0 : 180.0;
     const double length = (line.edges[i].points.back() - line.edges[i].points.front()).norm();
-    const std::string words = seamWords(pattern, edge, piece, numbers, length);
+    std::string words = seamWords(pattern, edge, piece, numbers, length);
+    if (std::abs(line.edges[i].width - usual) > 0.01) words += fmt::format(", {:.3g} mm", line.edges[i].width);
     piece.texts.push_back({at + inward * (is_reversed ? 2.0 + kSeamNameHeight : 2.0), kSeamNameHeight, angle, words});
   }
 }
@@ -160,34 +162,34 @@ std::vector<DrawnPiece> drawPieces(const FlatPattern& pattern, const Allowances&
     piece.name = pattern.pieces[p].name;
     piece.source = p;
     piece.axes = paperAxes(pattern, p);
-    for (const SewnEdge& edge : lines[p].edges) {
-      piece.sew_corners.push_back(piece.sew.size());
+    for (const SewnEdge& edge : lines[p].edges)
       piece.sew.insert(piece.sew.end(), edge.points.begin(), edge.points.end() - 1);
-    }
-    piece.cut = cutLine(lines[p].edges);
+    piece.cut = cutLine(lines[p].edges, "piece '" + piece.name + "'");
     drawn.push_back(std::move(piece));
   }
   std::vector<std::vector<PaperPoint>> cuts;
   for (const DrawnPiece& piece : drawn) cuts.push_back(piece.cut);
-  const std::vector<int> mirror = mirrorPieces(drawn);
+  const MirrorPieces mirror = mirrorPieces(lines);
+  const std::vector<std::vector<double>> notches = seamNotches(pattern, lines, mirror, cuts);
   std::vector<int> numbers;  // from 1; of mirror images the same
   int count = 0;
-  for (const int image_of : mirror) numbers.push_back(image_of < 0 ? ++count : numbers[image_of]);
+  for (const int image_of : mirror.image_of) numbers.push_back(image_of < 0 ? ++count : numbers[image_of]);
   std::vector<DrawnPiece> pieces;
   for (size_t p = 0; p < drawn.size(); ++p) {
-    if (mirror[p] >= 0) continue;
+    if (mirror.image_of[p] >= 0) continue;
     DrawnPiece& piece = drawn[p];
     piece.number = numbers[p];
     piece.count = count;
     for (size_t q = p + 1; q < drawn.size(); ++q)
-      if (mirror[q] == static_cast<int>(p)) {
+      if (mirror.image_of[q] == static_cast<int>(p)) {
         piece.quantity = 2;
         piece.mirrored = true;
         piece.mirror_image = static_cast<int>(q);
         piece.name += " / " + drawn[q].name;
+        for (const int e : lines[p].numbers) piece.mirror_edges[e] = mirror.twin[e];
       }
-    addSeamNotches(pattern, lines, cuts, piece);
-    addWords(pattern, lines[p], numbers, piece);
+    addSeamNotches(pattern, lines, cuts, notches, piece);
+    addWords(pattern, lines[p], 1e3 * allowances.all, numbers, piece);
     addDarts(pattern, lines[p], piece);
     pieces.push_back(std::move(piece));
   }

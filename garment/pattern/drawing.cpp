@@ -61,7 +61,6 @@ DrawnPiece mirrorImage(const DrawnPiece& piece) {
   result.origin.x() *= -1.0;
   std::reverse(result.cut.begin(), result.cut.end());
   std::reverse(result.sew.begin(), result.sew.end());
-  for (size_t& corner : result.sew_corners) corner = result.sew.size() - 1 - corner;
   for (DrawnText& text : result.texts) text.angle = -text.angle;
   return result;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -49,10 +50,10 @@ struct DrawnPiece {
   bool mirrored = false;                               // of two, one is the mirror image
   int source = 0;                                      // number of the piece in the flat pattern, from 0
   int mirror_image = -1;                               // and of the one that is its mirror image; -1: none
+  std::map<int, int> mirror_edges;                     // of CutGarment::edges: from this piece's to those of that one
   Eigen::Matrix2d axes = Eigen::Matrix2d::Identity();  // from (warp, weft), m, to the drawing, mm: axes * x + origin
   PaperPoint origin = PaperPoint::Zero();
   std::vector<PaperPoint> cut, sew;  // closed, counter-clockwise
-  std::vector<size_t> sew_corners;   // points of `sew` where an edge ends
   std::vector<DrawnLine> lines;      // grain, legs of darts
   std::vector<Notch> notches;
   std::vector<PaperPoint> drills;
@@ -66,6 +67,7 @@ struct Drawing {
   std::vector<DrawnPiece> pieces;
   std::vector<DrawnLine> lines;  // the test box
   std::vector<DrawnText> texts;
+  std::vector<std::string> notes;  // what to know before cutting
 };
 
 struct Bounds {

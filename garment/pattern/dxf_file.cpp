@@ -34,11 +34,11 @@ std::string ascii(const std::string& words) {
   return text;
 }
 
-/// A name of a block: letters, digits and underscores alone, as R12 allows.
+/// A name of a block: at most 31 letters, digits and underscores, as R12 allows.
 std::string blockName(const DrawnPiece& piece) {
   std::string name;
   for (const char c : ascii(piece.name)) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  return fmt::format("{}_{}", piece.number, name);
+  return fmt::format("{}_{}", piece.number, name).substr(0, 31);
 }
 
 class DxfWriter {
@@ -140,13 +140,24 @@ class DxfWriter {
     end("ENDSEC");
   }
 
-  void text(const char* layer, const PaperPoint& at, const std::string& words, double angle = 0.0) {
+  /// A text that begins at a point.
+  void text(const char* layer, const PaperPoint& at, const std::string& words, double height = kTextHeight,
+            double angle = 0.0) {
     group(0, "TEXT");
     group(8, layer);
     point(at);
-    number(40, kTextHeight);
+    number(40, height);
     group(1, words);
     if (angle != 0.0) number(50, angle);
+  }
+
+  /// A text about the middle of its baseline.
+  void centred(const char* layer, const DrawnText& drawn) {
+    text(layer, drawn.at, ascii(drawn.words), drawn.height, drawn.angle);
+    group(72, "1");
+    number(11, drawn.at.x());
+    number(21, drawn.at.y());
+    number(31, 0.0);
   }
 
   void polyline(const char* layer, const std::vector<PaperPoint>& points, bool is_closed) {
@@ -207,7 +218,7 @@ class DxfWriter {
                                  "STYLE NAME: " + ascii(drawing.title)};
     for (size_t i = 0; i < std::size(words); ++i)
       text("1", middle - PaperPoint(0.0, 20.0 + 4.0 * static_cast<double>(i)), words[i]);
-    for (const DrawnText& drawn : piece.texts) text("15", drawn.at, ascii(drawn.words), drawn.angle);
+    for (const DrawnText& drawn : piece.texts) centred("15", drawn);
     group(0, "ENDBLK");
     group(8, "1");
   }

@@ -94,7 +94,6 @@ void softenShear(const FlatSettings& settings, FlatPattern& pattern) {
     const Flattened softer = flatten(pattern.flat, sewnPairs(pattern.cut), settings.woven, &before.x, pattern.shear);
     pattern.x = softer.x;
     pattern.mended = before.mended + softer.mended;
-    pattern.iterations += softer.iterations;
     measure(settings, pattern);
     is_softer = false;
     for (size_t p = 0; p < pattern.pieces.size(); ++p) {
@@ -147,14 +146,15 @@ void flattenAlongLines(const Pieces& pieces, const std::vector<double>& grain, c
   const Flattened flattened = flatten(pattern.flat, sewnPairs(pattern.cut), settings.woven);
   pattern.x = flattened.x;
   pattern.mended = flattened.mended;
-  pattern.iterations = flattened.iterations;
   const std::vector<std::string> names = pieceNames(pattern.cut, garment.mesh, settings.names);
+  const std::vector<char> backs = backPieces(pattern.cut, garment.mesh);
   pattern.pieces.clear();
   for (int p = 0; p < pattern.cut.pieces.count; ++p) {
     FlatPiece piece;
     piece.name = names[p];
     piece.grain = grain[p];  // darts divide no piece, so that pieces keep their numbers
     piece.upside_down = isUpsideDown(pattern.cut, garment.mesh, pattern.x, p);
+    piece.is_back = backs[p];
     pattern.pieces.push_back(piece);
   }
   measure(settings, pattern);
@@ -276,7 +276,6 @@ FlatPattern flattenAgain(const FlatPattern& pattern, const std::vector<Mat2>& re
       flatten(again.flat, sewnPairs(again.cut), settings.woven, &pattern.x, pattern.shear, excess_of_triangle);
   again.x = flattened.x;
   again.mended += flattened.mended;
-  again.iterations += flattened.iterations;
   measure(settings, again);
   again.strains = pattern.strains;
   again.warnings = pattern.warnings;

@@ -41,6 +41,7 @@ struct FlatPiece {
   int darts = 0;
   double grain = 0.0;        // rad, from the garment's warp to the piece's, counter-clockwise seen from outside
   bool upside_down = false;  // whether the warp points up the wearer's body; usually it points down
+  bool is_back = false;      // whether it faces backwards, by more than a sleeve does
   bool crosses_itself = false;
 };
 
@@ -65,7 +66,6 @@ struct FlatPattern {
   std::vector<std::vector<double>> shares;
   std::vector<double> shear;  // stiffness in shear by piece, as in WovenSettings
   int mended = 0;             // pieces that were flattened again, without flips
-  int iterations = 0;
   std::vector<std::string> warnings;
 };
 

@@ -98,7 +98,6 @@ Flattened flatten(const FlatPieces& pieces, const std::vector<SewnPair>& pairs, 
   const auto iterate = [&](int most) {
     for (int i = 0; i < most; ++i) {
       if (i % kTurnEvery == 0) turnToGrain(pieces, alternation.restInverse(), piece, flat.x);
-      ++flat.iterations;
       if (alternation.step(flat.x) < settings.tolerance) break;
     }
   };

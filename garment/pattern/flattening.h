@@ -46,8 +46,7 @@ struct WovenSettings {
 };
 
 struct Flattened {
-  Positions x;  // (warp, weft, 0), m
-  int iterations = 0;
+  Positions x;          // (warp, weft, 0), m
   int mended = 0;       // pieces that were flattened again, without flips
   double energy = 0.0;  // E without the pairs, m^2
 };

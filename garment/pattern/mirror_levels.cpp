@@ -1,9 +1,9 @@
 #include "garment/pattern/mirror_levels.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
+#include "garment/surface_place.h"
 #include "solver/base/parallel.h"
 
 namespace ease {
@@ -11,44 +11,19 @@ namespace {
 
 constexpr double kMinShare = 0.1;  // of the corners that an image is taken from
 
-/// Barycentric coordinates of the point of a triangle's plane nearest to x, moved into the triangle.
-Vec3 sharesNear(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
-  const Vec3 n = doubleAreaNormal(a, b, c);
-  const double n2 = std::max(n.squaredNorm(), 1e-300);
-  Vec3 share(n.dot(doubleAreaNormal(x, b, c)), n.dot(doubleAreaNormal(x, c, a)), 0.0);
-  share /= n2;
-  share[2] = 1.0 - share[0] - share[1];
-  share = share.cwiseMax(0.0);
-  return share / share.sum();
-}
-
 }  // namespace
 
 MirrorLevels::MirrorLevels(const RestSurface& surface, double plane, double reach) {
   const Positions& x = surface.mesh.positions;
+  const SurfacePlaces places(surface.mesh);
   std::vector<Image> images(surface.vertexCount(), {-1, {}, Vec3::Zero()});
   parallelFor(surface.vertexCount(), 64, [&](int v) {
     if (x(v, 0) >= plane) return;
     const Vec3 image(2.0 * plane - x(v, 0), x(v, 1), x(v, 2));
-    int nearest = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (int w = 0; w < surface.vertexCount(); ++w)
-      if (const double d2 = (x.row(w).transpose() - image).squaredNorm(); d2 < least) {
-        least = d2;
-        nearest = w;
-      }
-    if (least > reach * reach) return;
-    least = std::numeric_limits<double>::infinity();
-    for (const int t : surface.triangles_around[nearest]) {
-      const std::array<int, 3> corners = {surface.mesh.triangles(t, 0), surface.mesh.triangles(t, 1),
-                                          surface.mesh.triangles(t, 2)};
-      const Vec3 share = sharesNear(x.row(corners[0]), x.row(corners[1]), x.row(corners[2]), image);
-      const Vec3 at = share[0] * x.row(corners[0]) + share[1] * x.row(corners[1]) + share[2] * x.row(corners[2]);
-      if (const double d2 = (at - image).squaredNorm(); d2 < least) {
-        least = d2;
-        images[v] = {v, corners, share};
-      }
-    }
+    const SurfacePlace place = places.nearest(image, reach);
+    if (place.triangle < 0) return;
+    const auto corner = surface.mesh.triangles.row(place.triangle);
+    images[v] = {v, {corner[0], corner[1], corner[2]}, place.share};
   });
   for (Image image : images) {
     if (image.vertex < 0) continue;

@@ -109,10 +109,14 @@ PdfPage tilePage(const Paper& paper, const std::vector<Tile>& tiles, size_t i) {
   const PaperPoint box = from + PaperPoint(4.0, 3.0);
   page.lines.push_back(boxLine(box, box + PaperPoint(kTestBox, 4.0)));
   page.texts.push_back({box + PaperPoint(0.5 * kTestBox, 0.8), 2.4, 0.0, "5 cm"});
-  std::string words = fmt::format("{}, page {} of {}: {}", name, i + 2, tiles.size() + 1, fewNames(tile.names));
+  const double foot = from.x() + 0.5 * size.x() + 28.0;  // middle of the words beside the box
+  page.texts.push_back({{foot, from.y() + 5.6},
+                        2.6,
+                        0.0,
+                        fmt::format("{}, page {} of {}: {}", name, i + 2, tiles.size() + 1, fewNames(tile.names))});
   if (isAmong(tiles, tile.row + 1, tile.column))
-    words += fmt::format("; glue {} here", tileName(tile.row + 1, tile.column));
-  page.texts.push_back({from + PaperPoint(0.5 * size.x() + 28.0, 3.5), 2.6, 0.0, words});
+    page.texts.push_back(
+        {{foot, from.y() + 1.4}, 2.6, 0.0, fmt::format("glue {} here", tileName(tile.row + 1, tile.column))});
   if (isAmong(tiles, tile.row, tile.column + 1))
     page.texts.push_back({to - PaperPoint(3.0, 0.5 * size.y()), 2.6, 90.0,
                           fmt::format("glue {} here", tileName(tile.row, tile.column + 1))});
@@ -121,13 +125,17 @@ PdfPage tilePage(const Paper& paper, const std::vector<Tile>& tiles, size_t i) {
 
 PdfPage coverPage(const Drawing& drawing, const Paper& paper, const std::vector<Tile>& tiles, const PaperPoint& step) {
   PdfPage cover{paper.width, paper.height, {}, {}, {}};
-  const double top = paper.height - kMargin, room_x = paper.width - 2.0 * kMargin, room_y = paper.height - 120.0;
+  const double top = paper.height - kMargin;
   cover.texts.push_back({{0.5 * paper.width, top - 8.0}, 6.0, 0.0, drawing.title});
-  const std::string lines[] = {fmt::format("{} pages; print them at 100 %, not fitted to the page", tiles.size() + 1),
-                               "measure the box: it must be 5 cm wide and high",
-                               "cut along the right and lower inner line, or fold; glue each page on the strips of its "
-                               "neighbours, cross on cross"};
-  for (int i = 0; i < 3; ++i) cover.texts.push_back({{0.5 * paper.width, top - 18.0 - 6.0 * i}, 2.8, 0.0, lines[i]});
+  std::vector<std::string> lines = {
+      fmt::format("{} pages; print them at 100 %, not fitted to the page", tiles.size() + 1),
+      "measure the box: it must be 5 cm wide and high",
+      "cut each page along its left and upper line, or fold it there; lay it on the strips of "
+      "its neighbours, cross on cross"};
+  lines.insert(lines.end(), drawing.notes.begin(), drawing.notes.end());
+  const double foot = top - 20.0 - 6.0 * static_cast<double>(lines.size());  // of the words
+  for (size_t i = 0; i < lines.size(); ++i)
+    cover.texts.push_back({{0.5 * paper.width, top - 18.0 - 6.0 * static_cast<double>(i)}, 2.8, 0.0, lines[i]});
   const PaperPoint box(kMargin + 5.0, kMargin + 5.0);
   cover.lines.push_back(boxLine(box, box + PaperPoint(kTestBox, kTestBox)));
   cover.texts.push_back({box + PaperPoint(0.5 * kTestBox, 0.5 * kTestBox - 1.5), 3.0, 0.0, "5 cm x 5 cm"});
@@ -136,8 +144,9 @@ PdfPage coverPage(const Drawing& drawing, const Paper& paper, const std::vector<
     columns = std::max(columns, tile.column + 1);
     rows = std::max(rows, tile.row + 1);
   }
+  const double room_x = paper.width - 2.0 * kMargin, room_y = foot - (kMargin + kTestBox + 10.0);
   const double scale = std::min(room_x / (columns * step.x()), room_y / (rows * step.y()));
-  const PaperPoint at(0.5 * (paper.width - scale * columns * step.x()), top - 38.0 - scale * drawing.height);
+  const PaperPoint at(0.5 * (paper.width - scale * columns * step.x()), foot - scale * drawing.height);
   cover.views.push_back({at, scale, at, at + scale * PaperPoint(drawing.width, drawing.height)});
   for (const Tile& tile : tiles) {
     cover.lines.push_back(boxLine(at + scale * tile.lower, at + scale * (tile.lower + step)));

@@ -11,10 +11,11 @@
 namespace ease {
 namespace {
 
-constexpr double kAround = 0.6;    // of a loop: a piece that has more of it goes around it, as a sleeve does
-constexpr double kSideways = 1.5;  // how much more a side panel faces sideways than to the front or back
-constexpr double kUpwards = 0.5;   // share of a piece's area that it faces up or down with, as at a shoulder
-constexpr double kApart = 0.05;    // m: pieces whose middles are nearer to each other do not lie beside each other
+constexpr double kAround = 0.6;     // of a loop: a piece that has more of it goes around it, as a sleeve does
+constexpr double kSideways = 1.5;   // how much more a side panel faces sideways than to the front or back
+constexpr double kUpwards = 0.5;    // share of a piece's area that it faces up or down with, as at a shoulder
+constexpr double kBackwards = 0.3;  // share of its area that a back faces backwards with
+constexpr double kApart = 0.05;     // m: pieces whose middles are nearer to each other do not lie beside each other
 
 /// Where a piece lies on the wearer.
 struct Place {
@@ -152,9 +153,21 @@ std::vector<std::string> pieceNames(const CutGarment& cut, const TriangleMesh& g
   }
   std::map<std::string, int> count, so_far;
   for (const std::string& name : names) ++count[name];
-  for (std::string& name : names)
-    if (count[name] > 1) name = fmt::format("{} {}", name, ++so_far[name]);
+  std::set<std::string> taken(names.begin(), names.end());
+  for (size_t p = 0; p < names.size(); ++p) {
+    const std::string name = names[p];
+    if (count[name] < 2 || named.contains(static_cast<int>(p))) continue;
+    do names[p] = fmt::format("{} {}", name, ++so_far[name]);
+    while (!taken.insert(names[p]).second);
+  }
   return names;
+}
+
+std::vector<char> backPieces(const CutGarment& cut, const TriangleMesh& garment) {
+  std::vector<char> backs;
+  for (const Place& place : placesOf(cut, garment))
+    backs.push_back(place.normal.z() < -kBackwards * place.area ? 1 : 0);
+  return backs;
 }
 
 bool isUpsideDown(const CutGarment& cut, const TriangleMesh& garment, const Positions& x, int piece) {

@@ -10,10 +10,13 @@
 
 namespace ease {
 
-/// Names of all pieces, no two alike.  Throws InputError where a given point is more than 0.2 m from the garment, or
-/// two names were given to one piece.
+/// Names of all pieces, no two alike; those that were given stay as they are.  Throws InputError where a given point is
+/// more than 0.2 m from the garment, or two names were given to one piece.
 std::vector<std::string> pieceNames(const CutGarment& cut, const TriangleMesh& garment,
                                     const std::vector<PieceName>& given);
+
+/// Which pieces face backwards.
+std::vector<char> backPieces(const CutGarment& cut, const TriangleMesh& garment);
 
 /// Whether a flat piece's warp points up the body (+y) more than down.
 bool isUpsideDown(const CutGarment& cut, const TriangleMesh& garment, const Positions& x, int piece);

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace ease {
@@ -31,6 +33,16 @@ double outlineLength(const FlatPattern& pattern, size_t piece) {
 }
 
 }  // namespace
+
+std::vector<double> widthsAcross(const FlatPattern& pattern) {
+  std::vector<double> low(pattern.pieces.size(), std::numeric_limits<double>::infinity()), widths(low.size(), 0.0);
+  for (const PieceEdge& edge : pattern.cut.edges)
+    for (const int v : edge.vertices) low[edge.piece] = std::min(low[edge.piece], pattern.x(v, 1));
+  for (const PieceEdge& edge : pattern.cut.edges)
+    for (const int v : edge.vertices)
+      widths[edge.piece] = std::max(widths[edge.piece], pattern.x(v, 1) - low[edge.piece]);
+  return widths;
+}
 
 std::vector<std::string> pieceWarnings(const FlatPattern& pattern, const StrainLimits& limits) {
   std::vector<std::string> warnings;

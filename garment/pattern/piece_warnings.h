@@ -12,4 +12,7 @@ namespace ease {
 /// 10 cm^2, or narrower than 1 cm in the mean.
 std::vector<std::string> pieceWarnings(const FlatPattern& pattern, const StrainLimits& limits);
 
+/// The width of every piece across its grain, m.
+std::vector<double> widthsAcross(const FlatPattern& pattern);
+
 }  // namespace ease

@@ -46,6 +46,7 @@ void nameFoundSeams(size_t first, const std::vector<PieceName>& given, RestGarme
   const std::vector<std::string> names = pieceNames(cut, garment.mesh, given);
   for (const PieceEdge& edge : cut.edges) {
     if (edge.line < static_cast<int>(first) || edge.line >= static_cast<int>(garment.seams.size())) continue;
+    if (edge.partner < 0) continue;
     const std::string &one = names[edge.piece], &other = names[cut.edges[edge.partner].piece];
     garment.seams[edge.line].name =
         one == other ? "within " + one : std::min(one, other) + " / " + std::max(one, other);

@@ -15,8 +15,6 @@ constexpr int kSmoothings = 4;           // of an edge
 constexpr double kCorner = 40.0;         // degrees: sharper bends are corners and stay
 constexpr size_t kBend = 3;              // points on either side by which a bend is measured
 constexpr double kStraight = 2.0;        // mm: legs of a dart are drawn straight that bend no further
-constexpr double kAlike = 2.0;           // mm: how far mirror images may differ
-constexpr int kSamples = 200;            // points along an outline that are compared
 
 /// Whether the line bends sharply at point i.
 bool isCorner(const std::vector<PaperPoint>& points, size_t i) {
@@ -107,36 +105,6 @@ void straightenDarts(const CutGarment& cut, SewLine& line) {
       if (line.edges[i].is_dart) straighten(isFirstLeg(i) ? i : i - 1);
 }
 
-/// Points at equal distances along a closed line, beginning at the point `from`.
-std::vector<PaperPoint> resampled(const std::vector<PaperPoint>& line, size_t from) {
-  const size_t n = line.size();
-  double length = 0.0;
-  for (size_t i = 0; i < n; ++i) length += (line[(i + 1) % n] - line[i]).norm();
-  std::vector<PaperPoint> samples;
-  double reached = 0.0;
-  size_t i = from, passed = 0;
-  for (int k = 0; k < kSamples; ++k) {
-    const double at = length * k / kSamples;
-    while (passed < n && reached + (line[(i + 1) % n] - line[i]).norm() < at) {
-      reached += (line[(i + 1) % n] - line[i]).norm();
-      i = (i + 1) % n;
-      ++passed;
-    }
-    const PaperPoint step = line[(i + 1) % n] - line[i];
-    samples.push_back(line[i] + (at - reached) / std::max(step.norm(), 1e-12) * step);
-  }
-  return samples;
-}
-
-/// Largest distance of corresponding points after the best shift, mm.
-double shiftedDistance(const std::vector<PaperPoint>& a, const std::vector<PaperPoint>& b) {
-  PaperPoint shift = PaperPoint::Zero();
-  for (size_t i = 0; i < a.size(); ++i) shift += (b[i] - a[i]) / static_cast<double>(a.size());
-  double largest = 0.0;
-  for (size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] + shift - b[i]).norm());
-  return largest;
-}
-
 }  // namespace
 
 Eigen::Matrix2d paperAxes(const FlatPattern& pattern, int piece) {
@@ -183,25 +151,6 @@ PaperPoint pointAt(const FlatPattern& pattern, const SewnEdge& drawn, int edge, 
   const double part = std::clamp((share - shares[i]) / (shares[i + 1] - shares[i]), 0.0, 1.0);
   direction = (drawn.points[i + 1] - drawn.points[i]).normalized();
   return drawn.points[i] + part * (drawn.points[i + 1] - drawn.points[i]);
-}
-
-std::vector<int> mirrorPieces(const std::vector<DrawnPiece>& pieces) {
-  std::vector<int> mirror(pieces.size(), -1);
-  std::vector<char> taken(pieces.size(), 0);
-  for (size_t p = 0; p < pieces.size(); ++p)
-    for (size_t q = p + 1; q < pieces.size() && !taken[p]; ++q) {
-      if (taken[q]) continue;
-      const DrawnPiece image = mirrorImage(pieces[q]);
-      if (image.sew_corners.size() != pieces[p].sew_corners.size()) continue;
-      if (std::abs(areaWithin(image.sew) / areaWithin(pieces[p].sew) - 1.0) > 0.02) continue;
-      const std::vector<PaperPoint> samples = resampled(pieces[p].sew, pieces[p].sew_corners.front());
-      for (const size_t corner : image.sew_corners)
-        if (!taken[p] && shiftedDistance(samples, resampled(image.sew, corner)) <= kAlike) {
-          mirror[q] = static_cast<int>(p);
-          taken[p] = taken[q] = 1;
-        }
-    }
-  return mirror;
 }
 
 }  // namespace ease

@@ -6,9 +6,9 @@
 
 namespace ease {
 
-/// A piece's edges as they are drawn: smoothed over about 2 cm, the same way on both sides of a seam.  Legs of darts
-/// that bend by less than 2 mm, or would cross the line elsewhere, are straight.  Both sides of a seam are equally long
-/// (equal_sides.h).
+/// A piece's edges as they are drawn: smoothed over about three edges of the mesh, the same way on both sides of a
+/// seam.  Legs of darts that bend by less than 2 mm, or would cross the line elsewhere, are straight.  Both sides of a
+/// seam are equally long (equal_sides.h).
 struct SewLine {
   std::vector<SewnEdge> edges;  // in the order of CutGarment::outlines
   std::vector<int> numbers;     // of CutGarment::edges
@@ -25,8 +25,5 @@ std::vector<double> drawnLengths(const CutGarment& cut, const std::vector<SewLin
 
 /// The point of a drawn edge at a share of the seam's length in the garment; `direction`: along the edge there.
 PaperPoint pointAt(const FlatPattern& pattern, const SewnEdge& drawn, int edge, double share, PaperPoint& direction);
-
-/// Pieces that are the mirror image of an earlier one within 2 mm: by piece the number of the earlier one, or -1.
-std::vector<int> mirrorPieces(const std::vector<DrawnPiece>& pieces);
 
 }  // namespace ease

@@ -9,7 +9,8 @@ constexpr double kMargin = 8.0;  // mm
 
 }  // namespace
 
-Drawing drawSheet(const std::string& title, const std::vector<DrawnPiece>& pieces, double cloth_width) {
+Drawing drawSheet(const std::string& title, const std::vector<DrawnPiece>& pieces, double cloth_width,
+                  const std::vector<std::string>& notes) {
   const Layout layout = layOut(pieces, cloth_width, kGap);
   Drawing sheet;
   sheet.title = title;
@@ -27,9 +28,12 @@ Drawing drawSheet(const std::string& title, const std::vector<DrawnPiece>& piece
   sheet.texts.push_back({corner + PaperPoint(0.5 * kTestBox, 0.5 * kTestBox - 1.5), 3.0, 0.0, "5 cm x 5 cm"});
   const double x = corner.x() + kTestBox + 70.0, top = corner.y() + kTestBox;
   sheet.texts.push_back({{x, top - 8.0}, 6.0, 0.0, title});
-  const char* lines[] = {"red: cut    blue: sew    green: notches, grain", "right side of the cloth up, millimetres",
-                         "the box is 5 cm wide: print at 100 %, not fitted to the page"};
-  for (int i = 0; i < 3; ++i) sheet.texts.push_back({{x, top - 19.0 - 8.0 * i}, 3.0, 0.0, lines[i]});
+  sheet.notes = {"right side of the cloth up; red: cut, blue: sew, green: notches, grain"};
+  sheet.notes.insert(sheet.notes.end(), notes.begin(), notes.end());
+  std::vector<std::string> lines = sheet.notes;
+  lines.emplace_back("the box is 5 cm wide: print at 100 %, not fitted to the page");
+  for (size_t i = 0; i < lines.size(); ++i)
+    sheet.texts.push_back({{x, top - 19.0 - 8.0 * static_cast<double>(i)}, 3.0, 0.0, lines[i]});
   return sheet;
 }
 

@@ -8,7 +8,9 @@ namespace ease {
 constexpr double kTestBox = 50.0;  // mm, side of the box by which users see whether a print has the right size
 
 /// The sheet; its pieces lie on it as they may lie on cloth `cloth_width` mm wide.  Throws InputError as layOut() does.
-Drawing drawSheet(const std::string& title, const std::vector<DrawnPiece>& pieces, double cloth_width);
+/// `notes`: what to know before cutting, a few lines.
+Drawing drawSheet(const std::string& title, const std::vector<DrawnPiece>& pieces, double cloth_width,
+                  const std::vector<std::string>& notes = {});
 
 /// Length of cloth that all pieces take, mirrored ones cut twice, mm.
 double clothLength(const std::vector<DrawnPiece>& pieces, double cloth_width);

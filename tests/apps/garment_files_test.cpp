@@ -1,7 +1,9 @@
 #include "apps/garment_files.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
+#include "solver/base/whole_file.h"
 #include "solver/io/mesh_io.h"
 #include "tests/apps/temporary_directory.h"
 #include "tests/sheet.h"
@@ -34,5 +36,13 @@ TEST_CASE("pieces are written under the name asked for, with one vertex more at 
         "pieces    2, with 3 vertices more than the garment\n");
   CHECK(readMesh(directory.path / "rest_pieces.obj").positions.rows() == sheet.positions.rows() + 3);
   CHECK(std::filesystem::exists(directory.path / "rest_pieces.vtp"));
-  CHECK(std::filesystem::exists(directory.path / "rest_pieces.json"));
+  std::vector<int> in_file;  // where the garment's file has another order
+  for (int v = 0; v < sheet.positions.rows(); ++v) in_file.push_back(100 + v);
+  writePieces(sheet, {middle}, directory.path, "of_file", in_file);
+  const auto glue = [&](const char* name) {
+    return nlohmann::json::parse(contentOf(directory.path / name))["garment_vertex"].get<std::vector<int>>();
+  };
+  std::vector<int> there = glue("of_file.json");
+  for (int& v : there) v -= 100;
+  CHECK(there == glue("rest_pieces.json"));
 }

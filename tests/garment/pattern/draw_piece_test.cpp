@@ -17,8 +17,10 @@ TEST_CASE("notches on both sides of a seam lie at the same share of its length i
   // Two halves that are mirror images are drawn once.
   REQUIRE(pieces.size() == 1);
   CHECK(pieces.front().quantity == 2);
-  REQUIRE(pieces.front().notches.size() == 2);
-  CHECK(std::abs(pieces.front().notches[0].at.y() - pieces.front().notches[1].at.y()) == Approx(200.0).margin(0.5));
+  REQUIRE(pieces.front().notches.size() == 3);  // of a seam of 60 cm
+  const std::vector<Notch>& notches = pieces.front().notches;
+  CHECK(std::abs(notches[0].at.y() - notches[1].at.y()) == Approx(0.25 * 600.0).margin(0.5));
+  CHECK(std::abs(notches[1].at.y() - notches[2].at.y()) == Approx(0.27 * 600.0).margin(0.5));
 }
 
 TEST_CASE("a piece bears its name, how often to cut it, and a grain line along the warp within it") {
@@ -70,6 +72,6 @@ TEST_CASE("a seam without allowance has marks where its notches would be") {
   Allowances none;
   none.all = 0.0;
   const DrawnPiece piece = drawPieces(flattenGarment(sheet, FlatSettings()), none).front();
-  REQUIRE(piece.notches.size() == 2);
+  REQUIRE(piece.notches.size() == 3);
   for (const Notch& notch : piece.notches) CHECK(notch.depth >= 2.0);
 }

@@ -31,6 +31,8 @@ for insert in inserts:
     assert abs(notch.dxf.location.z - 5) < 1e-6 and abs(abs(notch.dxf.get('angle')) % 180) < 1e-6
     assert len([l for l in block.query('LINE') if l.dxf.layer == '7']) == 1
     assert any(t.dxf.text.startswith('PIECE NAME: ') for t in block.query('TEXT'))
+    words = [t for t in block.query('TEXT') if t.dxf.layer == '15']
+    assert words and all(t.dxf.halign == 1 and t.dxf.align_point == t.dxf.insert for t in words)
 print('ok')
 )");
   const Ran ran = run(python + script.path() + " " + file.path());
@@ -43,4 +45,6 @@ TEST_CASE("a DXF spells letters that its format lacks") {
   CHECK(text.find("STYLE NAME: Groesse 38\n") != std::string::npos);
   CHECK(text.find("PIECE NAME: Ruecken links ?\n") != std::string::npos);
   CHECK(text.find("1_Ruecken_links__\n") != std::string::npos);
+  const std::string two = dxfText(drawSheet("s", {plainPiece("upper left underarm / upper right underarm")}, 1400.0));
+  CHECK(two.find("\n1_upper_left_underarm___upper_r\n") != std::string::npos);  // 31 letters
 }

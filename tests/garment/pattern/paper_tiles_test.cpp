@@ -43,6 +43,26 @@ TEST_CASE("a tile tells which pieces it shows, and what is glued to it only wher
   CHECK_FALSE(says(1, "glue"));
 }
 
+TEST_CASE("pages are cut on the sides that have no strip, and strips say what is glued there") {
+  Drawing sheet;
+  sheet.width = 400.0;
+  sheet.height = 600.0;
+  sheet.notes = {"allowances are drawn: 10 mm"};
+  sheet.pieces = {placed(plainPiece("one", 360.0, 560.0), false, {20.0, 20.0})};
+  const Paper paper;
+  const std::vector<PdfPage> pages = paperTiles(sheet, paper);
+  const auto find = [&](size_t page, const std::string& words) {
+    const auto text = std::find_if(pages[page].texts.begin(), pages[page].texts.end(),
+                                   [&](const DrawnText& t) { return t.words.find(words) != std::string::npos; });
+    REQUIRE(text != pages[page].texts.end());
+    return text->at;
+  };
+  find(0, "cut each page along its left and upper line");
+  find(0, "allowances are drawn: 10 mm");
+  CHECK(find(1, "glue A2 here").x() > paper.width - 20.0);  // page A1: its right strip
+  CHECK(find(1, "glue B1 here").y() < 20.0);                // and its lower one
+}
+
 TEST_CASE("what lies at a place of the drawing is printed at one place of one tile, at its true size") {
   Drawing sheet;
   sheet.width = 400.0;

@@ -42,6 +42,15 @@ TEST_CASE("a name is given to the piece nearest to a point, once") {
   CHECK_THROWS_WITH(pieceNames(made.cut, made.mesh, {{"a", {0.0, 5.0, 0.0}}}), Catch::Contains("m from the garment"));
 }
 
+TEST_CASE("a name that was given stays as it is, and the program's own gives way") {
+  const Tube made;
+  const std::vector<std::string> names = pieceNames(made.cut, made.mesh, {{"back", {0.0, 0.5, 1.0}}});
+  CHECK(std::count(names.begin(), names.end(), "back") == 1);
+  CHECK(std::count(names.begin(), names.end(), "back 1") == 1);
+  const std::vector<char> backs = backPieces(made.cut, made.mesh);
+  for (size_t p = 0; p < names.size(); ++p) CHECK((backs[p] != 0) == (names[p] == "back 1"));
+}
+
 TEST_CASE("a piece across the middle is neither left nor right") {
   const TriangleMesh sheet = bentSheet(20, 0.6, [](double, double) { return 0.0; });  // y upwards, facing +z
   Seam across{"across", {}, false}, down{"down", {}, false};

@@ -53,7 +53,6 @@ inline DrawnPiece plainPiece(const std::string& name, double width = 200.0, doub
   piece.name = name;
   piece.number = piece.count = 1;
   piece.sew = {{0, 0}, {width, 0}, {width, height}, {0, height}};
-  piece.sew_corners = {0, 1, 2, 3};
   piece.cut = {{-10, -10}, {width + 10, -10}, {width + 10, height + 10}, {-10, height + 10}};
   piece.notches = {{{width + 10, 0.5 * height}, {-1, 0}, 5.0}};
   piece.lines = {{Ink::grain, {{20, 20}, {20, 120}}, false}};

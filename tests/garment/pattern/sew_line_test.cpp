@@ -23,14 +23,6 @@ double distanceTo(const std::vector<PaperPoint>& line, const PaperPoint& x) {
 
 }  // namespace
 
-TEST_CASE("a piece and its mirror image are one piece, to be cut twice") {
-  DrawnPiece left = plainPiece("left"), other = plainPiece("other", 150.0);
-  left.sew = {{0, 0}, {120, 0}, {90, 200}, {10, 180}};
-  const DrawnPiece right = mirrorImage(left);
-  CHECK(mirrorPieces({left, other, placed(right, false, {300.0, 20.0})}) == std::vector<int>{-1, -1, 0});
-  CHECK(mirrorPieces({left, left}) == std::vector<int>{-1, -1});
-}
-
 TEST_CASE("legs of a dart are drawn straight and equally long") {
   RestGarment sheet = restGarment(bentSheet(8, 0.4, [](double x, double y) { return 0.8 * (x * x + y * y); }),
                                   {{"dart", {4, 13, 21, 31, 40}, false}});
