@@ -1,5 +1,6 @@
 // A T-shirt on a mannequin that lowers its arms.  Where the motion stretches the cloth by more than 8 %, its rest shape
-// is let out.  This is what `ease run` does, with the same classes, without scene file and results.
+// is let out.  This is what `ease run` does with mode = "sequential", with the same classes, without scene file and
+// results.
 #include <ease/adaption/run.h>
 #include <ease/collision/body/mannequin.h>
 #include <ease/garment/builtin_garment.h>
