@@ -129,11 +129,14 @@ double depthOfTriangle(const BodyMoment& body, const Vec3& a, const Vec3& b, con
 }
 
 void Penetration::deepen(const std::vector<double>& sample_distances, int vertex_count, int edge_count) {
-  for (int s = 0; s < static_cast<int>(sample_distances.size()); ++s) {
-    double& deepest = s < vertex_count ? vertices : s < vertex_count + edge_count ? edge_midpoints : centroids;
-    deepest = std::max(deepest, -sample_distances[s]);
-    triangles = std::max(triangles, -sample_distances[s]);
-  }
+  const auto deepest = [&](size_t begin, size_t end, double& depth) {
+    for (size_t s = begin; s < end; ++s) depth = std::max(depth, -sample_distances[s]);
+    triangles = std::max(triangles, depth);
+  };
+  const size_t edges = vertex_count, centroids_from = edges + edge_count;
+  deepest(0, edges, vertices);
+  deepest(edges, centroids_from, edge_midpoints);
+  deepest(centroids_from, sample_distances.size(), centroids);
 }
 
 void ContactFinder::find(const BodyMoment& body, std::span<const Vec3> samples, std::span<const double> offsets,

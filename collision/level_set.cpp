@@ -203,13 +203,18 @@ void LevelSet::sample(std::span<const Vec3> points, std::span<LevelSetSample> sa
   Data& data = *data_;
   constexpr int kBlock = 512;
   const int count = static_cast<int>(points.size());
+  std::atomic<bool> any_missed = false;
   parallelFor((count + kBlock - 1) / kBlock, 1, [&](int block) {
     Accessor accessor(data.grid.grid->tree());
-    for (int i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i)
+    bool misses = false;
+    for (int i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) {
       samples[i] = data.sampleAt(points[i], accessor);
+      misses |= std::isnan(samples[i].phi);
+    }
+    if (misses) any_missed = true;
   });
   data.missed.clear();
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; any_missed && i < count; ++i)
     if (std::isnan(samples[i].phi)) data.missed.push_back(i);
   if (data.missed.empty()) return;
 

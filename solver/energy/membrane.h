@@ -30,6 +30,8 @@ class MembraneEnergy {
 
   /// Starts a time step of length h, s: with damping, stores the conditions at the positions `start`.
   void begin(const Positions& start, double h);
+  /// Whether rest conditions depend on the start of the step.
+  bool damps() const { return !start_conditions_.empty(); }
 
   /// Writes the rest conditions of triangle t into lane `lane` of `rest`.
   void setRestConditions(int t, int lane, RestConditions& rest) const;

@@ -51,13 +51,16 @@ void IncrementalPotential::begin(const State& start, const StepOptions& options)
   inertial_ = start.positions + options.h * start.velocities;
   inertial_.rowwise() += options.h * options.h * options.gravity.transpose();
 
+  bool is_new = false;  // the rest shape
   if (rest_revision_ != cloth_.restRevision()) {
     rest_revision_ = cloth_.restRevision();
     bending_.set(cloth_.hinges(), cloth_.material().bending);
+    total_mass_ = std::accumulate(cloth_.masses().begin(), cloth_.masses().end(), 0.0);
+    is_new = true;
   }
   bending_round_off_ = bending_.roundOff(start_);
   membrane_.begin(start.positions, options.h);
-  layOutTriangles();
+  if (is_new || membrane_.damps()) layOutTriangles();
   hinges_.begin(start.positions, options.h);
 }
 
@@ -104,12 +107,13 @@ double IncrementalPotential::triangleForces(const Positions& x) {
     const std::span<const FrictionLanes> frictions = contacts_.friction(g);
     const int end = std::min((g + 1) * per_group, static_cast<int>(lanes_.size()));
     size_t first = 0, last = 0;  // range of the current block's contacts
-    partial_[g] = 0.0;
+    double energy = 0.0;
     for (int block = g * per_group; block < end; ++block, first = last) {
       while (last < contacts.size() && contacts[last].block == block) ++last;
-      partial_[g] += blockForces(block, contacts.subspan(first, last - first),
-                                 frictions.empty() ? frictions : frictions.subspan(first, last - first), x);
+      energy += blockForces(block, contacts.subspan(first, last - first),
+                            frictions.empty() ? frictions : frictions.subspan(first, last - first), x);
     }
+    partial_[g] = energy;
   });
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
@@ -206,26 +210,33 @@ double IncrementalPotential::roundOff(double energy, const StepMotion& motion) c
   return kRoundOff * (std::abs(energy) + motion.whole) + bending_round_off_;
 }
 
-double IncrementalPotential::totalMass() const {
-  return std::accumulate(cloth_.masses().begin(), cloth_.masses().end(), 0.0);
-}
-
 void IncrementalPotential::contactDiagonal(const Positions& x, bool bound, std::vector<double>& diagonal) {
   diagonal.assign(cloth_.vertexCount(), 0.0);
-  forPressed(x, bound, [&](const ContactLanes& contact, int lane, double depth) {
-    const double k = stiffness(contact, lane, depth);
-    forCorners(contact, lane, [&](int v, double weight) { diagonal[v] += weight * k; });
+  if (contacts_.empty()) return;
+  corner_stiffness_.resize(corner_force_.size());
+  parallelFor(contacts_.groupCount(), 1, [&](int g) {
+    const size_t begin = 3 * static_cast<size_t>(kGroup) * g, end = std::min(begin + 3 * kGroup, corner_force_.size());
+    std::fill(corner_stiffness_.begin() + begin, corner_stiffness_.begin() + end, 0.0);
+    const auto add = [&](const ContactLanes& contact, int lane, double k) {
+      double* corner = corner_stiffness_.data() + 3 * (static_cast<size_t>(kLanes) * contact.block + lane);
+      for (const double weight : weightsOf(contact, lane)) *corner++ += weight * k;
+    };
+    forPressed(g, x, bound, [&](const ContactLanes& contact, int lane, double depth) {
+      add(contact, lane, stiffness(contact, lane, depth));
+    });
+    forFriction(g, x, [&](const ContactLanes& contact, int lane, double limit, const Vec3&) {
+      add(contact, lane, limit * frictionWeight(0.0, slipLength()));
+    });
   });
-  forFriction(x, [&](const ContactLanes& contact, int lane, double limit, const Vec3&) {
-    const double k = limit * frictionWeight(0.0, slipLength());
-    forCorners(contact, lane, [&](int v, double weight) { diagonal[v] += weight * k; });
+  parallelFor(cloth_.vertexCount(), kGrain, [&](int i) {
+    for (int k : triangle_corners_.of(i)) diagonal[i] += corner_stiffness_[k];
   });
 }
 
 void IncrementalPotential::normalForces(const Positions& x, std::vector<double>& forces) const {
   const size_t count = cloth_.samples().count();
   forces.assign(2 * count, 0.0);
-  for (int g = 0; g < contacts_.groupCount(); ++g)
+  parallelFor(contacts_.groupCount(), 1, [&](int g) {
     for (size_t k = 0; k < contacts_.friction(g).size(); ++k) {
       const ContactLanes& contact = contacts_.group(g)[k];
       const Lanes depth = contact.depth(lanes_[contact.block].edgesAt(x));
@@ -233,16 +244,19 @@ void IncrementalPotential::normalForces(const Positions& x, std::vector<double>&
       for (int l = 0; l < kLanes; ++l)
         if (const int force = contacts_.friction(g)[k].force[l]; force >= 0) forces[force] = push[l];
     }
+  });
 }
 
 void IncrementalPotential::contactPressure(const Positions& x, std::vector<double>& pressure) {
   pressure.assign(cloth_.vertexCount(), 0.0);
   if (contacts_.empty()) return;
   std::vector<Vec3> force(cloth_.vertexCount(), Vec3::Zero());
-  forPressed(x, false, [&](const ContactLanes& contact, int l, double depth) {
-    const double push = contact.area[l] * ease::contactPressure(depth, options_.contact_stiffness, contact.give[l]);
-    forCorners(contact, l, [&](int v, double weight) { force[v] += weight * push * contact.normalOf(l); });
-  });
+  for (int g = 0; g < contacts_.groupCount(); ++g)
+    forPressed(g, x, false, [&](const ContactLanes& contact, int l, double depth) {
+      const double push = contact.area[l] * ease::contactPressure(depth, options_.contact_stiffness, contact.give[l]);
+      const std::array<double, 3> weights = weightsOf(contact, l);
+      for (int a = 0; a < 3; ++a) force[lanes_[contact.block].corners[a][l]] += weights[a] * push * contact.normalOf(l);
+    });
   parallelFor(cloth_.vertexCount(), kGrain, [&](int i) {
     double area = 0.0;
     for (int k : triangle_corners_.of(i)) area += triangleArea(x, cloth_.triangles(), k / 3) / 3.0;

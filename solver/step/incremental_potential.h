@@ -20,6 +20,7 @@
 // Triangles are computed eight side by side (element.h), from arrays that are laid out once per step.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -98,7 +99,7 @@ class IncrementalPotential {
 
   /// Twice the kinetic energy of a displacement d that takes one step, |d|^2_M / h^2, J.
   double kinetic(const Positions& d) const;
-  double totalMass() const;  // kg
+  double totalMass() const { return total_mass_; }  // kg
 
   /// Energy differences below this are round-off, J; `energy` and `motion` are those of a nearby point.
   double roundOff(double energy, const StepMotion& motion) const;
@@ -129,42 +130,40 @@ class IncrementalPotential {
   double triangleForces(const Positions& x);
   double blockForces(int block, std::span<const ContactLanes> contacts, std::span<const FrictionLanes> frictions,
                      const Positions& x);
-  /// Calls add(contact, lane, depth) for each sample that is pressed at x, one after the other; depth in m. With
-  /// `bound`, for every sample that has a plane, at a depth of at least its `give`.
+  /// Calls add(contact, lane, depth) for each sample of a group that is pressed at x, one after the other; depth in m.
+  /// With `bound`, for every sample that has a plane, at a depth of at least its `give`.  All contacts of a sample, and
+  /// all those on a triangle, are in one group.
   template <class Add>
-  void forPressed(const Positions& x, bool bound, const Add& add) const {
-    int block = 0;
-    TriangleEdges hosts = lanes_[block].edgesAt(x);
-    for (int g = 0; g < contacts_.groupCount(); ++g)
-      for (const ContactLanes& contact : contacts_.group(g)) {
-        if (contact.block != block) hosts = lanes_[contact.block].edgesAt(x);
-        block = contact.block;
-        Lanes depth = contact.depth(hosts);
-        if (bound) depth = depth.max(contact.give);
-        for (int l = 0; l < kLanes; ++l)
-          if (contact.sample[l] >= 0 && depth[l] != 0.0) add(contact, l, depth[l]);
-      }
+  void forPressed(int group, const Positions& x, bool bound, const Add& add) const {
+    int block = -1;
+    TriangleEdges hosts;
+    for (const ContactLanes& contact : contacts_.group(group)) {
+      if (contact.block != block) hosts = lanes_[contact.block].edgesAt(x);
+      block = contact.block;
+      Lanes depth = contact.depth(hosts);
+      if (bound) depth = depth.max(contact.give);
+      for (int l = 0; l < kLanes; ++l)
+        if (contact.sample[l] >= 0 && depth[l] != 0.0) add(contact, l, depth[l]);
+    }
   }
-  /// Calls add(contact, lane, limit, slip) for each sample on which friction acts, one after the other; limit, the
-  /// largest force, in N, slip at x in m.
+  /// Calls add(contact, lane, limit, slip) for each sample of a group on which friction acts, one after the other;
+  /// limit, the largest force, in N, slip at x in m.
   template <class Add>
-  void forFriction(const Positions& x, const Add& add) const {
-    for (int g = 0; g < contacts_.groupCount(); ++g)
-      for (size_t k = 0; k < contacts_.friction(g).size(); ++k) {
-        const FrictionLanes& friction = contacts_.friction(g)[k];
-        const ContactLanes& contact = contacts_.group(g)[k];
-        if (!friction.any) continue;
-        const Column<Lanes> u = friction.slip(contact, lanes_[contact.block].edgesAt(x));
-        for (int l = 0; l < kLanes; ++l)
-          if (friction.limit[l] > 0.0) add(contact, l, friction.limit[l], Vec3(u.x[l], u.y[l], u.z[l]));
-      }
+  void forFriction(int group, const Positions& x, const Add& add) const {
+    for (size_t k = 0; k < contacts_.friction(group).size(); ++k) {
+      const FrictionLanes& friction = contacts_.friction(group)[k];
+      const ContactLanes& contact = contacts_.group(group)[k];
+      if (!friction.any) continue;
+      const Column<Lanes> u = friction.slip(contact, lanes_[contact.block].edgesAt(x));
+      for (int l = 0; l < kLanes; ++l)
+        if (friction.limit[l] > 0.0) add(contact, l, friction.limit[l], Vec3(u.x[l], u.y[l], u.z[l]));
+    }
   }
   double slipLength() const { return kSlipSpeed * options_.h; }
-  /// Calls add(vertex, weight) for each corner of the sample's host triangle, with the sample's barycentric weight.
-  template <class Add>
-  void forCorners(const ContactLanes& contact, int lane, const Add& add) const {
-    const double w1 = contact.weight[0][lane], w2 = contact.weight[1][lane], weights[3] = {1.0 - w1 - w2, w1, w2};
-    for (int a = 0; a < 3; ++a) add(lanes_[contact.block].corners[a][lane], weights[a]);
+  /// Barycentric weights of a sample at the corners of its host triangle.
+  static std::array<double, 3> weightsOf(const ContactLanes& contact, int lane) {
+    const double w1 = contact.weight[0][lane], w2 = contact.weight[1][lane];
+    return {1.0 - w1 - w2, w1, w2};
   }
   /// Computes contact_hessian_ and pressed_ of all samples at x.
   void contactHessians(const Positions& x, HessianKind kind);
@@ -186,11 +185,13 @@ class IncrementalPotential {
   Incidence triangle_corners_, edge_ends_;
   // Results per element: written by a loop over elements, then gathered by a loop over vertices.
   std::vector<TriangleLanes> lanes_;
-  std::vector<Vec3> corner_force_;     // dE/dx at corner a of triangle t, N: corner_force_[3 t + a]
-  std::vector<Mat3> contact_hessian_;  // a_s dp/d(depth) n nᵀ of each sample, and its friction's Hessian, N/m
-  std::vector<char> pressed_;          // whether contact_hessian_ of the sample is set; otherwise it counts as zero
+  std::vector<Vec3> corner_force_;        // dE/dx at corner a of triangle t, N: corner_force_[3 t + a]
+  std::vector<double> corner_stiffness_;  // of contact at corner a of triangle t, N/m: corner_stiffness_[3 t + a]
+  std::vector<Mat3> contact_hessian_;     // a_s dp/d(depth) n nᵀ of each sample, and its friction's Hessian, N/m
+  std::vector<char> pressed_;             // whether contact_hessian_ of the sample is set; otherwise it counts as zero
   std::vector<FrameHessian> frame_hessian_;
   std::vector<Mat3> hinge_hessian_;
+  double total_mass_ = 0.0;              // kg
   double bending_round_off_ = 0.0;       // J
   std::vector<double> partial_;          // energies of groups, added up in a fixed order
   std::vector<VertexSums> vertex_sums_;  // sums of groups of vertices, added up in a fixed order

@@ -13,18 +13,19 @@ constexpr int kGrain = 512;
 
 void IncrementalPotential::contactHessians(const Positions& x, HessianKind kind) {
   std::fill(pressed_.begin(), pressed_.end(), 0);
-  forPressed(x, false, [&](const ContactLanes& contact, int lane, double depth) {
-    const int s = contact.sample[lane];
-    const Vec3 normal = contact.normalOf(lane);
-    if (!pressed_[s]) contact_hessian_[s].setZero();
-    contact_hessian_[s] += stiffness(contact, lane, depth) * normal * normal.transpose();
-    pressed_[s] = 1;
-  });
-  forFriction(x, [&](const ContactLanes& contact, int lane, double limit, const Vec3& slip) {
-    const int s = contact.sample[lane];
-    if (!pressed_[s]) contact_hessian_[s].setZero();
-    contact_hessian_[s] += limit * frictionHessian(slip, contact.normalOf(lane), slipLength(), kind);
-    pressed_[s] = 1;
+  parallelFor(contacts_.groupCount(), 1, [&](int g) {
+    const auto add = [&](int s, const Mat3& hessian) {
+      if (!pressed_[s]) contact_hessian_[s].setZero();
+      contact_hessian_[s] += hessian;
+      pressed_[s] = 1;
+    };
+    forPressed(g, x, false, [&](const ContactLanes& contact, int lane, double depth) {
+      const Vec3 normal = contact.normalOf(lane);
+      add(contact.sample[lane], stiffness(contact, lane, depth) * normal * normal.transpose());
+    });
+    forFriction(g, x, [&](const ContactLanes& contact, int lane, double limit, const Vec3& slip) {
+      add(contact.sample[lane], limit * frictionHessian(slip, contact.normalOf(lane), slipLength(), kind));
+    });
   });
 }
 
