@@ -44,6 +44,7 @@ double toleranceOfPass(std::span<const FitPass> before, double asked) {
 
 Fit::Fit(const RunSettings& settings, const FitSettings& fit, const RunInput& input, Cloth& cloth)
     : settings_(settings), fit_(fit), input_(input), cloth_(cloth), demand_(*settings.limit) {
+  if (input_.ordering.empty()) input_.ordering = systemOrdering(cloth_.vertexCount(), cloth_.triangles());
   cloth_.setRest(RestShape(cloth_.first()));
   first_area_ = areaOf(cloth_);
 }
@@ -67,7 +68,9 @@ void Fit::embed() {
     cloth_.setRest(RestShape(cloth_.first()));
     return;
   }
-  Stitcher stitcher(cloth_, systemOrdering(cloth_.vertexCount(), cloth_.triangles()));
+  // From the first rest shape, not from what an earlier check embedded, which a fit that goes on does not know.
+  cloth_.setRest({cloth_.first().positions, metric});
+  Stitcher stitcher(cloth_, input_.ordering);
   cloth_.setRest({stitcher.embed(cloth_), metric});
   result_.embedding = metricError(cloth_, cloth_.restPositions());
 }

@@ -37,10 +37,14 @@ class Fit {
   /// `settings.limit` must be set; the passes follow `settings.schedule`, without adaption on the way.
   Fit(const RunSettings& settings, const FitSettings& fit, const RunInput& input, Cloth& cloth);
 
-  /// Goes on from there.  Must come before run().
-  void resume(const FitState& from) {
+  /// Goes on from there.  Must come before run().  `is_alike`: the passes so far were made with the same limit, cloth
+  /// and contact; otherwise their shares over the limit do not count, and at least one more pass is made.
+  void resume(const FitState& from, bool is_alike) {
     state_ = from;
     state_.resumed_after = passCount();
+    if (is_alike) return;
+    state_.best_share = 1.0;
+    state_.over = false;
   }
 
   /// Fits the cloth's rest shape.  Where it is interrupted, or throws ComputationError as Run::run() does, the cloth
@@ -63,7 +67,7 @@ class Fit {
 
   const RunSettings settings_;
   const FitSettings fit_;
-  const RunInput& input_;
+  RunInput input_;  // with its ordering
   Cloth& cloth_;
   double first_area_;  // m^2
   GrowthDemand demand_;

@@ -33,7 +33,7 @@ Run::Run(const RunSettings& settings, const RunInput& input, Cloth& cloth)
     : settings_(settings),
       input_(input),
       cloth_(cloth),
-      ordering_(systemOrdering(cloth.vertexCount(), cloth.triangles())),
+      ordering_(input.ordering.empty() ? systemOrdering(cloth.vertexCount(), cloth.triangles()) : input.ordering),
       part_s_(settings.schedule.time_step / substepsFor(settings, input).time),
       step_(cloth, settings.method, ordering_),
       state_{input.start, Positions::Zero(cloth.vertexCount(), 3)} {

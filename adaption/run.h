@@ -29,8 +29,9 @@ struct RunInput {
   Positions start;              // of the garment, n x 3, m
   std::vector<double> offsets;  // comfort offset at every vertex, m
   std::vector<PinnedVertices> pins;
-  MovingBody* body = nullptr;  // null: no body
-  double body_motion = 0.0;    // of the body's surface in a time step, at most, m (substeps.h)
+  MovingBody* body = nullptr;   // null: no body
+  double body_motion = 0.0;     // of the body's surface in a time step, at most, m (substeps.h)
+  std::vector<int> ordering{};  // systemOrdering() of the garment's mesh; empty: found anew
 };
 
 class Run {

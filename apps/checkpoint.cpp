@@ -17,7 +17,7 @@ namespace ease {
 
 namespace {
 
-constexpr std::string_view kKind = "ease checkpoint ", kVersion = "7\n";
+constexpr std::string_view kKind = "ease checkpoint ", kVersion = "8\n";
 
 // Size of the file's header: kind, version, and the fingerprint of everything that follows, which is the members.
 constexpr size_t kHeader = kKind.size() + kVersion.size() + sizeof(std::uint64_t);
@@ -144,6 +144,7 @@ void members(Bytes& bytes, C& c) {
   bytes.array(c.run.wanted_edges);
   bytes.array(c.run.pins);
   fitMembers(bytes, c.fit);
+  bytes.number(c.fit_setting);
 }
 
 }  // namespace

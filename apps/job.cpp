@@ -151,7 +151,7 @@ class Job {
   void fit() {
     const RunInput run_input = runInput(scene_, input_, body());
     Fit fit(runSettings(scene_, adaptingSchedule(scene_)), scene_.adaption->fit, run_input, *cloth_);
-    if (resume_from_ && resumesFit(*resume_from_, scene_, given_, input_)) fit.resume(resume_from_->fit);
+    if (resume_from_) resumeFit(*resume_from_, scene_, given_, input_, report_.inputs, fit);
     std::optional<SeriesOfRun> series, before;
     FitWatch fit_watch;
     fit_watch.interrupted = &interrupted_;
@@ -187,6 +187,7 @@ class Job {
   Checkpoint checkpointOf(const RunState& state, const FitState& fit = {}) const {
     return {state,
             fit,
+            fitSetting(scene_, report_.inputs),
             fitsInPasses(scene_) ? posesOfWholeMotion(scene_, given_) : posesMet(scene_, given_, state.done),
             scene_.solver.time_step,
             scene_.solver.steps_per_pose,

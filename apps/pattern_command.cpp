@@ -208,7 +208,12 @@ ExitCode patternCommand(const Arguments& arguments, const std::atomic<bool>& int
     };
     try {
       if (scene.pattern.check) checkSewn(scene, input, rest, settings, interrupted, made);
-    } catch (...) {  // also where it is interrupted: the pattern is there
+    } catch (const Interrupted&) {
+      write();
+      say("interrupted", fmt::format("the pattern is in {}, the garment sewn from it was not checked and not let out",
+                                     directory.string()));
+      return kInterrupted;
+    } catch (const std::exception&) {
       write();
       throw;
     }

@@ -155,7 +155,9 @@ std::string patternJson(const Scene& scene, const MadePattern& made) {
                        {"points", points}});
       if (const auto twin = piece.mirror_edges.find(e); twin != piece.mirror_edges.end() && twin->second >= 0) {
         const int sewn_to = flat.cut.edges[twin->second].partner;
-        edges.back()["mirror_edge"] = {{"edge", twin->second}, {"sewn_to", sewn_to >= 0 ? Json(sewn_to) : Json()}};
+        edges.back()["mirror_edge"] = {{"edge", twin->second},
+                                       {"name", flat.cut.edges[twin->second].name},
+                                       {"sewn_to", sewn_to >= 0 ? Json(sewn_to) : Json()}};
       }
     }
     Json notches = Json::array();

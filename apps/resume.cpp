@@ -109,9 +109,17 @@ std::vector<std::uint64_t> posesOfWholeMotion(const Scene& scene, const SceneInp
   return posesMet(scene, input, all);
 }
 
-bool resumesFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& given, const SceneInput& input) {
-  return !checkpoint.fit.passes.empty() && checkpoint.poses_met == posesOfWholeMotion(scene, given) &&
-         checkpoint.paint == input.paint;
+void resumeFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& given, const SceneInput& input,
+               const std::map<std::string, std::string>& inputs, Fit& fit) {
+  if (checkpoint.fit.passes.empty() || checkpoint.poses_met != posesOfWholeMotion(scene, given)) return;
+  if (checkpoint.paint == input.paint) fit.resume(checkpoint.fit, checkpoint.fit_setting == fitSetting(scene, inputs));
+}
+
+std::uint64_t fitSetting(const Scene& scene, const std::map<std::string, std::string>& inputs) {
+  std::string text = fmt::format("{}", scene.adaption ? scene.adaption->limit : 0.0);
+  for (const auto& [table, hash] : inputs)
+    if (table != "adaption" && table != "solver") text += table + hash;
+  return fingerprint(text.data(), text.size());
 }
 
 bool keepsFirstRest(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& input) {

@@ -1,9 +1,13 @@
 // Resuming an earlier run from its checkpoint: checks that the scene allows it, and reuses the run's start garment.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 
+#include "adaption/fit.h"
 #include "apps/checkpoint.h"
 #include "apps/scene.h"
 
@@ -31,9 +35,14 @@ std::vector<std::uint64_t> posesMet(const Scene& scene, const SceneInput& input,
 /// Returns the fingerprints of all poses of the scene's motion, in its order.
 std::vector<std::uint64_t> posesOfWholeMotion(const Scene& scene, const SceneInput& input);
 
-/// Whether the passes of the checkpoint are passes of this scene: the same motion and the same paint.  Otherwise they
-/// begin anew.  `given`: in the numbering of its files; `input`: in that of the checkpoint.
-bool resumesFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& given, const SceneInput& input);
+/// Lets the fit go on from the passes of the checkpoint where they are passes of this scene: the same motion and the
+/// same paint.  Otherwise they begin anew.  `given`: in the numbering of its files; `input`: in that of the checkpoint;
+/// `inputs`: runInputs() of the scene.
+void resumeFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& given, const SceneInput& input,
+               const std::map<std::string, std::string>& inputs, Fit& fit);
+
+/// Fingerprint of the scene's limit, cloth, pins and contact, and of their files.  `inputs`: runInputs() of the scene.
+std::uint64_t fitSetting(const Scene& scene, const std::map<std::string, std::string>& inputs);
 
 /// Whether a run that goes on keeps the first rest shape that it began with: a fit with other paint begins anew with
 /// that.

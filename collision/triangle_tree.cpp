@@ -112,7 +112,9 @@ class Search {
   /// Returns the nearest child within the bound, or kNone, and puts the others within the bound on the stack.
   int visitNode(const TreeNode& node) {
     alignas(32) FloatLanes squared;
-    const auto [near, smallest] = boxDistances(node, p_, bound_, squared);
+    const auto [all_near, smallest] = boxDistances(node, p_, bound_, squared);
+    const unsigned near =
+        all_near & ((1u << node.children) - 1);  // within an infinite bound missing boxes are near, too
     if (near == 0) return kNone;
     for (unsigned others = near & ~(1u << smallest); others != 0; others &= others - 1) {
       const int k = __builtin_ctz(others);

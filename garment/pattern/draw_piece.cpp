@@ -40,7 +40,9 @@ void addDarts(const FlatPattern& pattern, const SewLine& line, DrawnPiece& piece
     std::vector<PaperPoint> legs = line.edges[i].points;
     legs.insert(legs.end(), line.edges[i + 1].points.begin() + 1, line.edges[i + 1].points.end());
     piece.lines.push_back({Ink::inner, legs, false});
-    for (const PaperPoint& mouth : {p, q}) addNotch(mouth, (mouth - tip).normalized(), piece);
+    const size_t n = line.edges.size();
+    addNotch(p, (p - tip).normalized(), line.edges[(i + n - 1) % n].width, piece);
+    addNotch(q, (q - tip).normalized(), line.edges[(i + 2) % n].width, piece);
     const std::vector<PaperPoint> back(line.edges[i].points.rbegin(), line.edges[i].points.rend());
     const PaperPoint hole =
         0.5 * (pointAlong(back, kDrillBeforeTip) + pointAlong(line.edges[i + 1].points, kDrillBeforeTip));
@@ -104,9 +106,13 @@ std::string cutText(const DrawnPiece& piece, double grain) {
 
 /// A seam's name and to which piece it is sewn, by that piece's name, or by its number where there is less room;
 /// `length`: the room, mm.
-std::string seamWords(const FlatPattern& pattern, const PieceEdge& edge, const DrawnPiece& piece,
-                      const std::vector<int>& numbers, double length) {
+std::string seamWords(const FlatPattern& pattern, int number, const DrawnPiece& piece, const std::vector<int>& numbers,
+                      double length) {
+  const PieceEdge& edge = pattern.cut.edges[number];
   if (edge.partner < 0) return edge.name;
+  const auto found = piece.mirror_edges.find(number);
+  const PieceEdge* twin =
+      found == piece.mirror_edges.end() || found->second < 0 ? nullptr : &pattern.cut.edges[found->second];
   const int other = pattern.cut.edges[edge.partner].piece;
   if (other == edge.piece) return edge.name;
   const auto fits = [&](const std::string& words) {
@@ -115,7 +121,9 @@ std::string seamWords(const FlatPattern& pattern, const PieceEdge& edge, const D
   const std::string by_name =
       edge.name + " > " + (other == piece.mirror_image ? "its mirror image" : pattern.pieces[other].name);
   if (fits(by_name) && (piece.mirror_image < 0 || other == piece.mirror_image)) return by_name;
-  const std::string by_number = fmt::format("{} > {}", edge.name, numbers[other]);
+  std::string by_number = fmt::format("{} > {}", edge.name, numbers[other]);
+  if (twin && twin->partner >= 0)  // the other copy's edge here
+    by_number += fmt::format(" / {} > {}", twin->name, numbers[pattern.cut.edges[twin->partner].piece]);
   return fits(by_number) ? by_number : edge.name;
 }
 
@@ -140,13 +148,12 @@ void addWords(const FlatPattern& pattern, const SewLine& line, double usual, con
     if (line.edges[i].is_dart) continue;
     PaperPoint along;
     const PaperPoint at = pointAt(pattern, line.edges[i], line.numbers[i], 0.5, along);
-    const PieceEdge& edge = pattern.cut.edges[line.numbers[i]];
     double angle = std::atan2(along.y(), along.x()) * 180.0 / M_PI;
     const PaperPoint inward(-along.y(), along.x());
     const bool is_reversed = angle > 90.0 || angle <= -90.0;
     if (is_reversed) angle += angle > 0.0 ? -180.0 : 180.0;
     const double length = (line.edges[i].points.back() - line.edges[i].points.front()).norm();
-    std::string words = seamWords(pattern, edge, piece, numbers, length);
+    std::string words = seamWords(pattern, line.numbers[i], piece, numbers, length);
     if (std::abs(line.edges[i].width - usual) > 0.01) words += fmt::format(", {:.3g} mm", line.edges[i].width);
     piece.texts.push_back({at + inward * (is_reversed ? 2.0 + kSeamNameHeight : 2.0), kSeamNameHeight, angle, words});
   }

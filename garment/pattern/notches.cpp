@@ -16,7 +16,8 @@ constexpr double kShortSeam = 0.05;  // m: shorter seams have no notches
 // Longer seams have one, two or three places with notches, which are shares of their lengths.  No place is as far from
 // one end as another from the other end: a side that is turned end for end does not match.
 constexpr double kLongSeam = 0.15, kVeryLongSeam = 0.5;  // m
-constexpr double kSmooth = 20.0;                         // degrees: where two edges meet with a smaller turn
+constexpr double kSmooth = 45.0;                         // degrees: where two edges meet with a smaller turn
+constexpr double kFarthest = 1.5;                        // widths from a dart's mouth to the end of the allowance
 constexpr double kSlack = 0.1;  // of the allowance's width, by which the cut line may be nearer or further
 // How far a notch may move along its seam to where both sides have an allowance, as shares of the seam.
 constexpr double kMoves[] = {0.0, 0.04, -0.04, 0.08, -0.08, 0.12, -0.12, 0.16, -0.16};
@@ -101,8 +102,9 @@ double reach(const PaperPoint& from, const PaperPoint& direction, const std::vec
   return nearest;
 }
 
-void addNotch(const PaperPoint& on_sew_line, const PaperPoint& outward, DrawnPiece& piece) {
-  piece.notches.push_back(notchBeyond(on_sew_line, outward, std::max(0.0, reach(on_sew_line, outward, piece.cut))));
+void addNotch(const PaperPoint& on_sew_line, const PaperPoint& outward, double width, DrawnPiece& piece) {
+  const double to_cut = std::max(0.0, reach(on_sew_line, outward, piece.cut));
+  if (to_cut <= kFarthest * width) piece.notches.push_back(notchBeyond(on_sew_line, outward, to_cut));
 }
 
 std::vector<std::vector<double>> seamNotches(const FlatPattern& pattern, const std::vector<SewLine>& lines,

@@ -11,8 +11,9 @@
 
 namespace ease {
 
-/// Adds a notch at a point of the sew line, outwards from there; a mark on the piece where there is no allowance.
-void addNotch(const PaperPoint& on_sew_line, const PaperPoint& outward, DrawnPiece& piece);
+/// Adds a notch at a point of the sew line, outwards from there; a mark on the piece where there is no allowance.  None
+/// where the cut line is much further than the allowance's width, mm, as beside a corner.
+void addNotch(const PaperPoint& on_sew_line, const PaperPoint& outward, double width, DrawnPiece& piece);
 
 /// By edge of CutGarment::edges: where the notches of its seam lie, as shares of its length.  `lines` and `cuts`: sew
 /// lines and cut lines of all pieces of the pattern.

@@ -110,13 +110,13 @@ PdfPage tilePage(const Paper& paper, const std::vector<Tile>& tiles, size_t i) {
   page.lines.push_back(boxLine(box, box + PaperPoint(kTestBox, 4.0)));
   page.texts.push_back({box + PaperPoint(0.5 * kTestBox, 0.8), 2.4, 0.0, "5 cm"});
   const double foot = from.x() + 0.5 * size.x() + 28.0;  // middle of the words beside the box
-  page.texts.push_back({{foot, from.y() + 5.6},
-                        2.6,
+  page.texts.push_back({{foot, from.y() + 3.4},
+                        2.4,
                         0.0,
                         fmt::format("{}, page {} of {}: {}", name, i + 2, tiles.size() + 1, fewNames(tile.names))});
   if (isAmong(tiles, tile.row + 1, tile.column))
     page.texts.push_back(
-        {{foot, from.y() + 1.4}, 2.6, 0.0, fmt::format("glue {} here", tileName(tile.row + 1, tile.column))});
+        {{foot, from.y() + 0.4}, 2.4, 0.0, fmt::format("glue {} here", tileName(tile.row + 1, tile.column))});
   if (isAmong(tiles, tile.row, tile.column + 1))
     page.texts.push_back({to - PaperPoint(3.0, 0.5 * size.y()), 2.6, 90.0,
                           fmt::format("glue {} here", tileName(tile.row, tile.column + 1))});

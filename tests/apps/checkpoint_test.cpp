@@ -16,6 +16,7 @@ Checkpoint someCheckpoint() {
   Checkpoint c;
   c.run.done = {130, 120, 10};
   c.poses_met = {7, 8, 9};
+  c.fit_setting = 0x123456789abcdef0;
   c.time_step_s = 0.0025;
   c.steps_per_pose = 4;
   c.interpolation_steps = 60;
@@ -41,6 +42,7 @@ TEST_CASE("a checkpoint is read as it was written, to the last bit") {
   CHECK(read.run.done.moving == written.run.done.moving);
   CHECK(read.run.done.still == written.run.done.still);
   CHECK(read.poses_met == written.poses_met);
+  CHECK(read.fit_setting == written.fit_setting);
   CHECK(read.time_step_s == written.time_step_s);
   CHECK(read.steps_per_pose == written.steps_per_pose);
   CHECK(read.interpolation_steps == written.interpolation_steps);

@@ -159,6 +159,7 @@ TEST_CASE("of a surface without triangles nothing is near, and every point is ou
     TriangleTree tree(Positions::Zero(vertices, 3), Triangles(0, 3));
     tree.refit(Positions::Ones(vertices, 3));
     CHECK(tree.closest({1.0, 1.0, 1.0}, 10.0).triangle == -1);
+    CHECK(tree.closest({1.0, 1.0, 1.0}, std::numeric_limits<double>::infinity()).triangle == -1);
     CHECK(tree.closestOfUnion({1.0, 1.0, 1.0}, 10.0).distance == 10.0);
     CHECK(tree.signedDistance({0.0, 0.0, 0.0}, 10.0) == 10.0);
     CHECK(tree.windingNumber({0.0, 0.0, 0.0}) == 0);
