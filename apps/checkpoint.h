@@ -19,7 +19,7 @@ namespace ease {
 struct Checkpoint {
   RunState run;
   FitState fit;                   // where the rest shape is fitted in passes; `run` is then at the start of the motion
-  std::uint64_t fit_setting = 0;  // fingerprint of what the shares over the limit depend on (resume.h)
+  std::uint64_t fit_setting = 0;  // fingerprint of the limit, the cloth and contact (resume.h)
   // Fingerprints of the poses that the body has reached, and of the pose that it is moving to (resume.h); after a pass
   // those of the whole motion.
   std::vector<std::uint64_t> poses_met;

@@ -28,11 +28,12 @@ bool asksFor(const Scene& scene, const char* format) {
 /// "allowances are drawn: 10 mm; hem 30 mm", as many as a line has room for: the pieces tell them, too.
 std::string allowanceWords(const Allowances& allowances) {
   constexpr size_t kRoom = 90;  // letters
+  const std::string others = "; others stand on the pieces";
   std::string words = fmt::format("allowances are drawn: {:.3g} mm", 1e3 * allowances.all);
   for (const auto& [name, width] : allowances.by_name) {
     if (width == allowances.all) continue;
     const std::string more = fmt::format("; {} {:.3g} mm", name, 1e3 * width);
-    if (words.size() + more.size() > kRoom) return words + "; others stand on the pieces";
+    if (words.size() + more.size() + others.size() > kRoom) return words + others;
     words += more;
   }
   return words;

@@ -183,10 +183,11 @@ bool spoilsPiece(const FlatPattern& before, const FlatPattern& after, double wid
 }
 
 /// Why letting out has ended.
-std::string endOfLettingOut(int asked, int rounds) {
+std::string endOfLettingOut(int asked, int rounds, bool asks) {
   if (asked == 0) return "let_out = 0, they are not let out";
   const std::string made = counted(rounds, "round") + " of letting out did not mend it";
-  if (rounds < asked) return made + ", and no triangle asks for more cloth";
+  if (!asks) return made + ", and no triangle asks for more cloth";
+  if (rounds < asked) return made + ", since a piece would overlap itself or be wider than the cloth";
   return asked < kMaxLetOut ? made + ", raise [pattern] let_out" : made;
 }
 
@@ -216,9 +217,11 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
   std::vector<double> excess(designed.edges.size(), settings.woven.excess);
   FlatPattern trial = pattern;
   int round = 1;
+  bool asks = true;  // some triangle for more cloth
   for (; round <= scene.pattern.let_out && as_sewn.over_limit > wanted; ++round) {
     replay.cloth().setRest(numbered(sewnEdges(trial)));
-    if (!demand.letOut(replay.cloth())) break;
+    asks = demand.letOut(replay.cloth());
+    if (!asks) break;
     const std::vector<Mat2> grown = restored(replay.cloth().restEdges(), numbering.garment.triangles);
     loosen(input.garment.triangles, sewnEdges(trial), grown, excess);
     trial = flattenAgain(trial, grown, settings, excess);
@@ -229,10 +232,11 @@ Resewn sewAgain(const Scene& scene, const SceneInput& input, const RestShape& de
     result.rounds = round;
   }
   if (result.over_limit > as_designed.over_limit + kMoreOverLimit)
-    pattern.warnings.push_back(fmt::format(
-        "the sewn garment is over the limit on {:.2f} % of the triangles, the designed one on {:.2f} %: "
-        "{}; add a [[garment.seam]]",
-        100 * result.over_limit, 100 * as_designed.over_limit, endOfLettingOut(scene.pattern.let_out, round - 1)));
+    pattern.warnings.push_back(
+        fmt::format("the sewn garment is over the limit on {:.2f} % of the triangles, the designed one on {:.2f} %: "
+                    "{}; add a [[garment.seam]]",
+                    100 * result.over_limit, 100 * as_designed.over_limit,
+                    endOfLettingOut(scene.pattern.let_out, round - 1, asks)));
   result.area_ratio = clothArea(pattern) / first_area;
   result.wall_s = wall();
   return result;

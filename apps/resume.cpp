@@ -116,7 +116,7 @@ void resumeFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInpu
 }
 
 std::uint64_t fitSetting(const Scene& scene, const std::map<std::string, std::string>& inputs) {
-  std::string text = fmt::format("{}", scene.adaption ? scene.adaption->limit : 0.0);
+  std::string text = scene.adaption ? fmt::format("{} {}", scene.adaption->limit, scene.adaption->fit.target) : "";
   for (const auto& [table, hash] : inputs)
     if (table != "adaption" && table != "solver") text += table + hash;
   return fingerprint(text.data(), text.size());

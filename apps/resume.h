@@ -41,7 +41,8 @@ std::vector<std::uint64_t> posesOfWholeMotion(const Scene& scene, const SceneInp
 void resumeFit(const Checkpoint& checkpoint, const Scene& scene, const SceneInput& given, const SceneInput& input,
                const std::map<std::string, std::string>& inputs, Fit& fit);
 
-/// Fingerprint of the scene's limit, cloth, pins and contact, and of their files.  `inputs`: runInputs() of the scene.
+/// Fingerprint of the scene's limit and target, cloth, pins and contact, and of their files.  `inputs`: runInputs() of
+/// the scene.
 std::uint64_t fitSetting(const Scene& scene, const std::map<std::string, std::string>& inputs);
 
 /// Whether a run that goes on keeps the first rest shape that it began with: a fit with other paint begins anew with

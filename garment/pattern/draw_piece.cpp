@@ -122,8 +122,10 @@ std::string seamWords(const FlatPattern& pattern, int number, const DrawnPiece& 
       edge.name + " > " + (other == piece.mirror_image ? "its mirror image" : pattern.pieces[other].name);
   if (fits(by_name) && (piece.mirror_image < 0 || other == piece.mirror_image)) return by_name;
   std::string by_number = fmt::format("{} > {}", edge.name, numbers[other]);
-  if (twin && twin->partner >= 0)  // the other copy's edge here
-    by_number += fmt::format(" / {} > {}", twin->name, numbers[pattern.cut.edges[twin->partner].piece]);
+  if (twin && twin->partner >= 0) {  // the other copy's edge here
+    const std::string of_twin = fmt::format("{} > {}", twin->name, numbers[pattern.cut.edges[twin->partner].piece]);
+    if (of_twin != by_number) by_number += " / " + of_twin;
+  }
   return fits(by_number) ? by_number : edge.name;
 }
 

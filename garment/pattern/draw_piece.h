@@ -4,7 +4,7 @@
 //   notches            of seams (notches.h) and at the mouth of darts, with a hole 1 cm before the tip
 //   grain              a line with arrows along the warp
 //   words              name, number, how often to cut it; along every seam its name and that of the piece to which it
-//                      is sewn; the name of a dart beyond its tip
+//                      is sewn, and its allowance where that is not the usual one; the name of a dart beyond its tip
 #pragma once
 
 #include <algorithm>

@@ -16,6 +16,7 @@ constexpr double kShortSeam = 0.05;  // m: shorter seams have no notches
 // Longer seams have one, two or three places with notches, which are shares of their lengths.  No place is as far from
 // one end as another from the other end: a side that is turned end for end does not match.
 constexpr double kLongSeam = 0.15, kVeryLongSeam = 0.5;  // m
+constexpr double kNearest = 0.012;                       // m, between two places, and to the mirror image of one
 constexpr double kSmooth = 45.0;                         // degrees: where two edges meet with a smaller turn
 constexpr double kFarthest = 1.5;                        // widths from a dart's mouth to the end of the allowance
 constexpr double kSlack = 0.1;  // of the allowance's width, by which the cut line may be nearer or further
@@ -126,11 +127,18 @@ std::vector<std::vector<double>> seamNotches(const FlatPattern& pattern, const s
             .has_value();
       });
     };
+    std::vector<double> taken;
+    const auto isTaken = [&](double share) {  // or its mirror image, so that the side could be turned end for end
+      return std::any_of(taken.begin(), taken.end(), [&](double other) {
+        return std::min(std::abs(share - other), std::abs(1.0 - share - other)) < kNearest / seam.rest_length;
+      });
+    };
     for (const double place : placesOn(seam.rest_length))
       for (const double move : kMoves) {
         std::vector<double> shares = {place + move - apart, place + move + apart};
         if (apart == 0.0) shares.pop_back();
-        if (!std::all_of(shares.begin(), shares.end(), hasPlace)) continue;
+        if (!std::all_of(shares.begin(), shares.end(), hasPlace) || isTaken(place + move)) continue;
+        taken.push_back(place + move);
         for (const AlikeEdge& at : alike)
           for (const double share : shares) shares_of_edge[at.edge].push_back(at.is_reversed ? 1.0 - share : share);
         break;

@@ -1,9 +1,10 @@
 // Notches: cuts into the allowance that tell where two sides of a seam, or the legs of a dart, meet.
 //
-// A seam has one to three places with notches, double where one side is a back, at the same shares of its length in the
-// garment on both sides, and alike where its pieces are mirror images of others.  Where the seam between two other
-// pieces ends on a piece, such as that of the shoulder on a sleeve, there is one more.  In a narrow corner there may be
-// no allowance to cut into on one of the sides: the notch then moves along the seam on both, or is left out on both.
+// A seam of 5 cm or more has one to three places with notches, double where one side is a back, at the same shares of
+// its length in the garment on both sides, and alike where its pieces are mirror images of others.  Where the seam
+// between two other pieces ends on a piece, such as that of the shoulder on a sleeve, there is one more.  In a narrow
+// corner there may be no allowance to cut into on one of the sides: the notch then moves along the seam on both, or is
+// left out on both.
 #pragma once
 
 #include "garment/pattern/flat_pattern.h"
