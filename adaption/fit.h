@@ -38,7 +38,7 @@ class Fit {
   Fit(const RunSettings& settings, const FitSettings& fit, const RunInput& input, Cloth& cloth);
 
   /// Goes on from there.  Must come before run().  `is_alike`: the passes so far were made with the same limit, cloth
-  /// and contact; otherwise their shares over the limit do not count, and at least one more pass is made.
+  /// and contact; otherwise their shares over the limit do not count, and one more pass is made if any is left.
   void resume(const FitState& from, bool is_alike) {
     state_ = from;
     state_.resumed_after = passCount();
